@@ -6,6 +6,7 @@
 #include "ui/export.h"
 #include "ui/main_window.h"
 #include "ui/project_files.h"
+#include "ui/project_tree.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
@@ -170,7 +171,8 @@ private:
             break;
         case 2:
             // What comes of all operations is what one wants to see.
-            if (options_.plan) window_.select_last_operation();
+            if (const std::size_t n = window_.document().operation_count(); options_.plan && n > 0)
+                window_.tree().select({ui::TreeNode::Kind::operation, n - 1});
             break;
         case 3:
             if (options_.verify && window_.document().has_part() && window_.last_failure().isEmpty())

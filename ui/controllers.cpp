@@ -52,8 +52,8 @@ void Controllers::build(const Parts& p, QWidget* window) {
     strips_ = new StripController(p.document, p.viewport, window);
     paths_ = new PathController(p.document, p.viewport, p.layers, p.tree, *rough_, window);
     tool_ = new ToolController(p.document, p.viewport, *paths_, *verification_, p.status, window);
-    part_ = new PartController(p.document, p.viewport, p.planner, p.job, p.messages, verification_->model(),
-                               window);
+    part_ = new PartController(p.document, p.viewport, p.planner, p.planners, p.job, p.messages,
+                               verification_->model(), window);
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);

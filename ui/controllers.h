@@ -39,6 +39,7 @@ public:
         Document& document;
         BackgroundJob& job;
         std::shared_ptr<Planner> planner;
+        std::shared_ptr<SetupPlanners> planners;
         Viewport& viewport;
         LayerBar& layers;
         ProjectTree& tree;

@@ -279,6 +279,12 @@ std::shared_ptr<const OperationResult> Document::result(std::size_t i) const {
     return it == records_.end() ? nullptr : it->second.result;
 }
 
+std::shared_ptr<const OperationResult> Document::result_of(int id, const std::string& fingerprint) const {
+    const auto it = records_.find(id);
+    if (it == records_.end() || it->second.planning || it->second.fingerprint != fingerprint) return nullptr;
+    return it->second.result;
+}
+
 QString Document::failure(std::size_t i) const {
     const auto it = records_.find(ids()[i]);
     return it == records_.end() ? QString() : it->second.failure;

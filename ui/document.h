@@ -60,6 +60,8 @@ public:
     std::size_t operation_count() const { return project_.operations.size(); }
     const Operation& operation(std::size_t i) const { return *project_.operations[i]; }
     int operation_id(std::size_t i) const { return ids()[i]; }
+    /// The operations of each setup.
+    const std::vector<std::vector<int>>& setup_ids() const { return ids_; }
     std::optional<std::size_t> index_of(int id) const;
     /// Where machining asks for it; returns its place.
     std::size_t add_operation(const std::string& kind);
@@ -104,6 +106,9 @@ public:
     OperationState state(std::size_t i) const;
     std::shared_ptr<const OperationResult> result(std::size_t i) const;
     QString failure(std::size_t i) const;
+    /// What an operation of any setup came to when it had this fingerprint; null where that is another now,
+    /// or planning is under way.
+    std::shared_ptr<const OperationResult> result_of(int id, const std::string& fingerprint) const;
     void set_planning(const std::vector<int>& ids);
     void take(const std::vector<OperationOutcome>& outcomes);
     /// The results of all operations in order, in the project's present unit; null when one is missing or

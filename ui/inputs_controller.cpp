@@ -14,12 +14,12 @@
 
 namespace facetmill::ui {
 
-using Kind = ProjectInput::Kind;
+using InputKind = ProjectInput::Kind;
 
 namespace {
 
-bool is_mesh(Kind kind) {
-    return kind == Kind::part || kind == Kind::stock;
+bool is_mesh(InputKind kind) {
+    return kind == InputKind::part || kind == InputKind::stock;
 }
 
 QString file_name(const ProjectInput& input) {
@@ -80,7 +80,7 @@ void InputsController::tell(const QString& before, bool warn) {
         return;
     }
     const QString message = (before.isEmpty() ? QString() : before + QChar(' ')) + missing_text();
-    if (missing_.front().kind == Kind::part)
+    if (missing_.front().kind == InputKind::part)
         messages_.fail(message);
     else
         messages_.warning(message);
@@ -139,8 +139,8 @@ void InputsController::locate(const QString& file) {
 void InputsController::take_located(const Project& candidate, const ProjectInput& asked,
                                     const QString& found) {
     try {
-        if (asked.kind == Kind::machine) project_machine(candidate);
-        if (asked.kind == Kind::post) project_post(candidate, candidate.programs.post);
+        if (asked.kind == InputKind::machine) project_machine(candidate);
+        if (asked.kind == InputKind::post) project_post(candidate, candidate.programs.post);
     } catch (const Error& e) {
         messages_.fail(text(e.what()));
         messages_.offer(locate_action());
@@ -154,7 +154,7 @@ void InputsController::take_located(const Project& candidate, const ProjectInput
         tell(found);
         return;
     }
-    take(candidate, step, found, asked.kind == Kind::stock);
+    take(candidate, step, found, asked.kind == InputKind::stock);
 }
 
 void InputsController::take(const Project& candidate, const QString& step, const QString& found,
@@ -202,7 +202,7 @@ void InputsController::replace_part(const QString& file) {
         return;
     }
     Project candidate = document_.project();
-    set_input(candidate, {Kind::part, {}}, path);
+    set_input(candidate, {InputKind::part, {}}, path);
     take(candidate, tr("Replace part"), QString());
 }
 

@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/all_setups.h"
 #include "ui/controllers.h"
 #include "ui/cspace_controller.h"
 #include "ui/cspace_panel.h"
@@ -97,10 +98,12 @@ void MainWindow::build_parts() {
     tree_ = new ProjectTree(document_, this);
     properties_ = new PropertiesPanel(document_, this);
     report_ = new ReportView(document_, this);
-    controllers_ = new Controllers(
-        {document_, job_, planner_, *viewport_, *layers_, *tree_, *properties_, *status_, *messages_}, this);
-    planning_ = new PlanRunner(document_, planner_, job_, *messages_, controllers_->part(), *properties_,
-                               verification(), this);
+    const auto planners = std::make_shared<SetupPlanners>();
+    controllers_ = new Controllers({document_, job_, planner_, planners, *viewport_, *layers_, *tree_,
+                                    *properties_, *status_, *messages_},
+                                   this);
+    planning_ = new PlanRunner(document_, planner_, planners, job_, *messages_, controllers_->part(),
+                               *properties_, verification(), this);
     files_ = std::make_unique<ProjectFiles>(document_, planner_, job_, *messages_, controllers_->part(),
                                             *properties_, *tree_, this);
     exports_ = new ProgramExport(document_, job_, *messages_, *properties_, *viewport_, verification(), this);
@@ -212,6 +215,8 @@ void MainWindow::connect_jobs() {
     connect(controllers_, &Controllers::verified, this,
             [this] { docks_->show(QStringLiteral("verification_dock")); });
     connect(&verification(), &VerificationController::verify_requested, this, &MainWindow::verify);
+    connect(&verification(), &VerificationController::verify_all_requested, &planning_->all_setups(),
+            &AllSetups::verify);
     connect(planning_, &PlanRunner::about_to_plan, &regions(), &RegionController::commit);
     connect(planning_, &PlanRunner::planned, this, [this](std::size_t first) {
         // The report of what was planned is what one wants to see now.
@@ -275,11 +280,6 @@ void MainWindow::cancel() {
     job_.cancel();
     status_->show_cancelling();
     update_commands();
-}
-
-void MainWindow::select_last_operation() {
-    if (const std::size_t n = document_.operation_count(); n > 0)
-        tree_->select({TreeNode::Kind::operation, n - 1});
 }
 
 void MainWindow::set_theme(Theme theme) {

@@ -53,7 +53,6 @@ public:
     /// Verifies the plan; what is not planned as it stands is planned first.
     void verify();
     void cancel();
-    void select_last_operation();
     void set_theme(Theme theme);
     Theme theme() const { return theme_; }
     void set_unit(LengthUnit unit);

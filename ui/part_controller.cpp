@@ -38,10 +38,10 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
 }
 
 PartController::PartController(Document& document, Viewport& viewport, std::shared_ptr<Planner> planner,
-                               BackgroundJob& job, Messages& messages, const VerificationModel& verification,
-                               QObject* window)
-    : Controller(window), document_(document), viewport_(viewport), planner_(std::move(planner)), job_(job),
-      messages_(messages), verification_(verification) {
+                               std::shared_ptr<SetupPlanners> planners, BackgroundJob& job,
+                               Messages& messages, const VerificationModel& verification, QObject* window)
+    : Controller(window), document_(document), viewport_(viewport), planner_(std::move(planner)),
+      planners_(std::move(planners)), job_(job), messages_(messages), verification_(verification) {
     connect(&job_, &BackgroundJob::started, this, &PartController::forget_former);
 }
 
@@ -58,7 +58,8 @@ void PartController::reload() {
     auto loaded = std::make_shared<LoadedPart>();
     job_.start(
         tr("Reading %1").arg(elided(path_text(document_.project().part_path().filename()), 30)),
-        [loaded, project = document_.project(), planner = planner_](const Progress& p) {
+        [loaded, project = document_.project(), planner = planner_, planners = planners_](const Progress& p) {
+            if (auto rest = planners->known_rest(project)) planner->carry(std::move(rest));
             *loaded = load_part(*planner, project, p);
         },
         [this, loaded, first, key = tried_](const JobEnd& end) {

@@ -1,6 +1,7 @@
 // The part and its stock in the view: read in the background, also again when their files change.
 #pragma once
 
+#include "core/job/setup_plan.h"
 #include "ui/background_job.h"
 #include "ui/controller.h"
 #include "ui/mesh_change.h"
@@ -29,9 +30,10 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
 class PartController : public Controller {
     Q_OBJECT
 public:
+    /// `planner`: of the shown setup; `planners`: know the stocks that others begin with.
     PartController(Document& document, Viewport& viewport, std::shared_ptr<Planner> planner,
-                   BackgroundJob& job, Messages& messages, const VerificationModel& verification,
-                   QObject* window);
+                   std::shared_ptr<SetupPlanners> planners, BackgroundJob& job, Messages& messages,
+                   const VerificationModel& verification, QObject* window);
 
     /// Reads the document's part in the background, if it has one and that is not missing.
     void reload();
@@ -60,6 +62,7 @@ private:
     Document& document_;
     Viewport& viewport_;
     std::shared_ptr<Planner> planner_;
+    std::shared_ptr<SetupPlanners> planners_;
     BackgroundJob& job_;
     Messages& messages_;
     const VerificationModel& verification_;

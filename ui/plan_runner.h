@@ -8,6 +8,7 @@
 
 namespace facetmill::ui {
 
+class AllSetups;
 class Messages;
 class PartController;
 class PropertiesPanel;
@@ -16,14 +17,16 @@ class VerificationController;
 class PlanRunner : public QObject {
     Q_OBJECT
 public:
-    PlanRunner(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job, Messages& messages,
-               PartController& part, PropertiesPanel& properties, VerificationController& verification,
-               QObject* window);
+    /// `planner`: of the shown setup; `planners`: of those whose stock it goes on with.
+    PlanRunner(Document& document, std::shared_ptr<Planner> planner, std::shared_ptr<SetupPlanners> planners,
+               BackgroundJob& job, Messages& messages, PartController& part, PropertiesPanel& properties,
+               VerificationController& verification, QObject* window);
 
     /// Plans all operations, or one.
     void plan(std::optional<std::size_t> only = std::nullopt);
     /// Verifies the plan; what is not planned as it stands is planned first.
     void verify();
+    AllSetups& all_setups() { return *all_setups_; }
     /// There is something to plan, and nothing runs.
     bool can_plan() const;
 
@@ -35,16 +38,14 @@ signals:
 
 private:
     struct Work;
-    /// Asks where the work would be more than usual (work_estimate.h).
-    bool may_be_large(const Work& work);
     /// In the job's thread.
     static void run(Work& work, Planner& planner, SetupPlanners& earlier, const Progress& progress);
     void finish(Work& work, const JobEnd& end);
-    void tell_result(const OperationResult& program);
 
     Document& document_;
     std::shared_ptr<Planner> planner_;
-    std::shared_ptr<SetupPlanners> earlier_ = std::make_shared<SetupPlanners>(); ///< of the setups before
+    std::shared_ptr<SetupPlanners> earlier_;
+    AllSetups* all_setups_ = nullptr;
     BackgroundJob& job_;
     Messages& messages_;
     PartController& part_;

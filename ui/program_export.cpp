@@ -151,7 +151,7 @@ void ProgramExport::save_sheet(const QString& path) {
     viewport_.full_picture().save(&buffer, "PNG");
     auto project = std::make_shared<Project>(document_.project());
     const auto plan = document_.complete_plan(); // what was verified, with what is said of the stock
-    const auto verification = verification_.model().outcome().verification;
+    const auto judged = verification_.model().outcome_shared();
     const std::filesystem::path target = path_of(path);
     try {
         keep_files(document_, target);
@@ -164,8 +164,19 @@ void ProgramExport::save_sheet(const QString& path) {
         [=](const Progress& p) {
             const SheetPicture picture{"As the workbench showed it", png.toStdString()};
             OutputFile file(target);
-            file.write(
-                setup_sheet(*project, *plan, verify_programs(*project, plan), *verification, {&picture, 1}));
+            if (judged->chain.size() > 1) {
+                std::vector<std::vector<SheetPicture>> pictures(judged->chain.size());
+                for (std::size_t k = 0; k < judged->chain.size(); ++k)
+                    if (chosen_setup(judged->chain[k].project) == chosen_setup(*project))
+                        pictures[k].push_back(picture);
+                const JudgedChain chain{judged->chain,
+                                        chain_programs(judged->chain, planned_programs(judged->chain)),
+                                        judged->verification, judged->posted_blocks};
+                file.write(setup_sheet({&chain, 1}, pictures));
+            } else {
+                file.write(setup_sheet(*project, *plan, verify_programs(*project, plan),
+                                       *judged->verification, {&picture, 1}));
+            }
             p.check();
             file.commit();
         },

@@ -1,15 +1,16 @@
 #include "ui/verification_controller.h"
 
-#include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
 #include "core/setup/machine.h"
 #include "ui/camera_flight.h"
 #include "ui/layer_bar.h"
 #include "ui/playback_bar.h"
+#include "ui/setup_list.h"
 #include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/verification_panel.h"
+#include "ui/verification_run.h"
 #include "ui/viewport.h"
 
 #include <QKeyEvent>
@@ -25,7 +26,6 @@ namespace {
 /// Triangles of the stock in motion and at rest: what a graphics card draws many times a second, and what a
 /// processor in its place does.
 constexpr double card_triangles = 1.5e6, processor_triangles = 3e4, resting_triangles = 1.5e6;
-constexpr std::size_t max_samples = 400'000; ///< points of the deviation: what a processor can still draw
 constexpr double cutter_share = 1.0 / 20; ///< share of the smallest cutter's radius: finer shows nothing more
 
 /// The lattice whose surface has about so many triangles, about 2.4 to a square of it.
@@ -49,27 +49,6 @@ StockPlayer::Source source_of(const std::shared_ptr<const PlaybackInput>& input,
     };
 }
 
-/// Fills in what the outcome says of its plan, or of the programs that stand in its place. Where there is a
-/// control, what it will run is judged.
-void judge(VerificationOutcome& outcome, const Project& project, const std::vector<VerifyProgram>& programs,
-           const Progress& progress) {
-    const PlanResult& plan = *outcome.plan;
-    // A program from a file stands for itself.
-    PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
-                                            : programs_to_judge(project, outcome.plan, progress.part(0, 0.1));
-    outcome.posted_blocks = posted.blocks;
-    stand_fixtures(posted.programs, *plan.part);
-    VerifySettings settings = verify_settings(project, outcome.program ? nullptr : &plan);
-    settings.max_samples = max_samples;
-    auto result = std::make_shared<Verification>(facetmill::verify(
-        *plan.part->mesh, plan.stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
-    name_planned_motions(*result, posted);
-    tell_posted(*result, posted);
-    outcome.display = prepare_deviation_display(result->surface, default_scale(*result, project.unit),
-                                                progress.part(0.97, 1, "Preparing the view"));
-    outcome.verification = std::move(result);
-}
-
 } // namespace
 
 VerificationController::VerificationController(Document& document, Viewport& viewport, LayerBar& layers,
@@ -82,6 +61,8 @@ VerificationController::VerificationController(Document& document, Viewport& vie
     flight_ = new CameraFlight(viewport_);
     connect(&model_, &VerificationModel::changed, this, &VerificationController::show_results);
     connect(panel_, &VerificationPanel::verify_requested, this, &VerificationController::verify_requested);
+    connect(panel_, &VerificationPanel::verify_all_requested, this,
+            &VerificationController::verify_all_requested);
     connect(panel_, &VerificationPanel::finding_chosen, this, &VerificationController::go_to_finding);
     connect(panel_, &VerificationPanel::range_edited, this, [this](double low, double high) {
         own_range_ = {low, high};
@@ -116,75 +97,43 @@ bool VerificationController::can_verify() const {
     return true;
 }
 
-std::shared_ptr<const PlanResult> VerificationController::plan_as_it_stands() const {
-    auto plan = std::make_shared<PlanResult>();
-    plan->part = document_.part();
-    plan->stock = stock_solid(document_.project().stock, *document_.part());
-    if (document_.program()) {
-        plan->operations = document_.program()->operations;
-        return plan;
-    }
-    for (std::size_t i = 0; i < document_.operation_count(); ++i)
-        for (const auto& program : programs_of(document_.result(i)))
-            plan->operations.push_back(program);
-    return plan;
-}
-
-std::vector<VerifyProgram>
-VerificationController::programs_as_they_stand(const std::shared_ptr<const PlanResult>& plan) const {
-    return document_.program() ? document_.program()->programs : verify_programs(document_.project(), plan);
-}
-
 void VerificationController::verify() {
     if (!can_verify() || job_.running()) return;
-    auto outcome = std::make_shared<VerificationOutcome>();
-    outcome->plan = plan_as_it_stands();
-    outcome->part_key = Document::part_key(document_.project());
-    outcome->limits = document_.project().limits;
-    outcome->program = document_.program();
-    if (!outcome->program) outcome->posting_key = Document::posting_key(document_.project());
-    for (std::size_t i = 0; !outcome->program && i < document_.operation_count(); ++i) {
-        outcome->ids.push_back(document_.operation_id(i));
-        outcome->fingerprints.push_back(Document::fingerprint(document_.project(), i));
-        outcome->program_operations.insert(outcome->program_operations.end(),
-                                           programs_of(document_.result(i)).size(), i);
-    }
+    const auto plan = plan_as_it_stands(document_);
+    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan);
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
         tr("Verifying"),
-        [outcome, project, programs = programs_as_they_stand(outcome->plan)](const Progress& progress) {
-            judge(*outcome, *project, programs, progress);
-        },
+        [outcome, project, plan, programs = programs_as_they_stand(document_, plan)](
+            const Progress& progress) { judge(*outcome, *project, plan, programs, progress); },
         [this, outcome](const JobEnd& end) {
-            if (!end.done()) return;
-            model_.take(outcome);
-            layers_.set_shown(ViewLayer::deviation, true);
-            if (!playback_.playing()) {
-                layers_.set_shown(ViewLayer::stock, false); // it would hide the colours
-                stock_offered_ = false;
-            }
-            const Verification& v = model_.verification();
-            const QString took = duration_text(v.seconds_cutting + v.seconds_probing);
-            if (v.passed())
-                emit said(
-                    MessageBar::Kind::information,
-                    model_.subject_text().isEmpty()
-                        ? tr("Verified in %1: no gouge, no collision.").arg(took)
-                        : tr("Verified in %1: %2: no gouge, no collision.").arg(took, model_.subject_text()),
-                    true);
-            else if (v.verdict() == facetmill::Verdict::not_judged)
-                emit said(
-                    MessageBar::Kind::warning,
-                    tr("Not verified (in %1), it cannot be judged: %2.").arg(took, model_.failure_text()),
-                    true);
-            else
-                emit said(MessageBar::Kind::warning,
-                          tr("Verification failed (in %1): %2.").arg(took, model_.failure_text()), true);
-            for (const std::string& remark : v.remarks)
-                emit said(MessageBar::Kind::information,
-                          with_lengths_in(sentence(text(remark)), document_.unit()), false);
-            emit verified();
+            if (end.done()) take({outcome});
         });
+}
+
+void VerificationController::take(const std::vector<std::shared_ptr<const VerificationOutcome>>& outcomes) {
+    for (const auto& outcome : outcomes)
+        model_.take(outcome);
+    layers_.set_shown(ViewLayer::deviation, true);
+    if (!playback_.playing()) {
+        layers_.set_shown(ViewLayer::stock, false); // it would hide the colours
+        stock_offered_ = false;
+    }
+    for (const auto& outcome : outcomes)
+        tell(*outcome, outcomes.size() > 1);
+    emit verified();
+}
+
+void VerificationController::tell(const VerificationOutcome& outcome, bool one_of_several) {
+    const Verification& v = *outcome.verification;
+    const QString from = one_of_several && !outcome.chain.empty()
+                             ? tr("From setup “%1”: ").arg(text(outcome.chain.front().project.name))
+                             : QString();
+    emit said(v.passed() ? MessageBar::Kind::information : MessageBar::Kind::warning,
+              from + verdict_message(outcome, document_.unit()), true);
+    for (const std::string& remark : v.remarks)
+        emit said(MessageBar::Kind::information, with_lengths_in(sentence(text(remark)), document_.unit()),
+                  false);
 }
 
 QString VerificationController::doubt() const {
@@ -227,8 +176,8 @@ void VerificationController::follow_plan() {
         return;
     }
     auto input = std::make_shared<PlaybackInput>();
-    input->plan = plan_as_it_stands();
-    input->programs = programs_as_they_stand(input->plan);
+    input->plan = plan_as_it_stands(document_);
+    input->programs = programs_as_they_stand(document_, input->plan);
     std::vector<PlaybackTrack::Operation> operations;
     double radius = infinity;
     for (std::size_t i = 0; i < results.size(); ++i)
@@ -250,16 +199,24 @@ void VerificationController::follow_plan() {
         std::make_shared<PlaybackTrack>(std::move(operations), project_machine(document_.project())),
         source_of(input, live, finest),
         live < resting_triangles ? source_of(input, resting_triangles, finest) : StockPlayer::Source());
+    if (const auto which = std::exchange(wanted_finding_, {});
+        which && model_.any() && *which < model_.findings().size())
+        go_to_finding(*which);
 }
 
 void VerificationController::show_results() {
     Scene& scene = viewport_.scene();
     const bool shown = model_.any() && model_.fits_part();
-    const DeviationDisplayPtr display = shown ? model_.outcome().display : nullptr;
+    const JudgedSetup* setup = model_.shown_setup();
+    const DeviationDisplayPtr display = shown && setup ? setup->display : nullptr;
     if (display.get() != shown_deviation_) {
         shown_deviation_ = display.get();
         scene.deviation().set(display);
-        scene.findings().set(shown ? finding_marks(model_.verification()) : std::vector<FindingMark>());
+        std::vector<FindingMark> marks;
+        if (display) marks = finding_marks(model_.verification());
+        for (FindingMark& mark : marks)
+            mark.point = setup->frame(mark.point);
+        scene.findings().set(marks);
         viewport_.content_changed();
         if (display) {
             DeviationScale scale = display->scale;
@@ -351,24 +308,36 @@ void VerificationController::tool_placed(const ShownPaths& paths, const PathPick
     playback_.go_to(MotionPlace{at, motion});
 }
 
-void VerificationController::go_to_finding(const Finding& finding) {
+void VerificationController::go_to_finding(std::size_t which) {
+    const JudgedProgram* program = nullptr;
+    if (const MotionPlace by = model_.findings()[which].by;
+        by.known() && by.program < model_.outcome().programs.size())
+        program = &model_.outcome().programs[by.program];
+    // Where another setup made it, it is seen there, once its part has been read.
+    wanted_finding_.reset();
+    if (program && model_.current()) {
+        const std::size_t place = model_.outcome().setups[program->setup].place;
+        if (place != chosen_setup(document_.project())) {
+            wanted_finding_ = which;
+            choose_setup(document_, place);
+            return;
+        }
+    }
+    const Finding finding = model_.findings()[which];
     Scene& scene = viewport_.scene();
-    if (model_.current() && finding.by.known() && playback_.loaded()
-        && finding.by.program < playback_.track().operation_count()) {
+    if (model_.current() && program && playback_.loaded()
+        && program->index < playback_.track().operation_count()) {
         playback_.pause();
         from_finding_ = true;
-        playback_.go_to(finding.by);
+        playback_.go_to(MotionPlace{program->index, finding.by.motion});
         from_finding_ = false;
         marked_at_ = playback_.target();
     }
-    const double across = model_.any() ? model_.outcome().plan->part->box.diagonal() : 100.0;
+    const double across = model_.outcome().across;
     scene.marks().set_marker(Marker{finding.place, finding.normal});
     flight_->fly_to(scene.camera().place_to_see(finding.place, finding.normal, 0.15 * across));
     viewport_.refresh();
-    if (!finding.by.known() || !model_.any()) return;
-    const VerificationOutcome& judged = model_.outcome();
-    if (finding.by.program < judged.program_operations.size()) // not those of an opened program
-        emit operation_meant(judged.ids[judged.program_operations[finding.by.program]]);
+    if (program && !model_.outcome().program) emit operation_meant(program->id);
 }
 
 bool VerificationController::take_key(const QKeyEvent& event) {

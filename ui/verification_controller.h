@@ -32,6 +32,8 @@ public:
     bool can_verify() const;
     /// Verifies the plan as it stands in the background job; nothing when `can_verify` is false.
     void verify();
+    /// Takes over what a job has judged, and tells it.
+    void take(const std::vector<std::shared_ptr<const VerificationOutcome>>& outcomes);
     /// Empty when what would be exported has passed; otherwise a sentence that says why it is not to be
     /// trusted.
     QString doubt() const;
@@ -58,6 +60,8 @@ public:
 signals:
     /// A verification is wanted, planning first where it must.
     void verify_requested();
+    /// The same of all setups.
+    void verify_all_requested();
     void verified();
     /// A finding is by this operation: its path should be seen.
     void operation_meant(int id);
@@ -65,15 +69,13 @@ signals:
     void tool_moved(const QString& readout);
 
 private:
-    /// The plan, or the program that is shown in its place.
-    std::shared_ptr<const PlanResult> plan_as_it_stands() const;
-    std::vector<VerifyProgram> programs_as_they_stand(const std::shared_ptr<const PlanResult>& plan) const;
     void follow_plan();
     void show_results();
     void show_playback();
     void show_stock_after(std::size_t operation);
     void use_scale(const DeviationScale& scale);
-    void go_to_finding(const Finding& finding);
+    void go_to_finding(std::size_t which);
+    void tell(const VerificationOutcome& outcome, bool one_of_several);
 
     Document& document_;
     Viewport& viewport_;
@@ -91,6 +93,7 @@ private:
     bool engaged_ = false;
     bool stock_offered_ = false; ///< the stock was shown once for this plan
     bool from_finding_ = false;
+    std::optional<std::size_t> wanted_finding_;          ///< once its setup is there
     std::optional<double> marked_at_;                    ///< position at which a finding's marker is shown
     std::optional<std::pair<double, double>> own_range_; ///< as the user set it
     const DeviationDisplay* shown_deviation_ = nullptr;

@@ -53,76 +53,149 @@ VerificationModel::VerificationModel(Document& document, QObject* parent)
 }
 
 void VerificationModel::take(std::shared_ptr<const VerificationOutcome> outcome) {
-    outcome_ = std::move(outcome);
+    const auto judges = [&](std::size_t place) {
+        const auto& setups = outcome->setups;
+        return std::any_of(setups.begin(), setups.end(),
+                           [place](const JudgedSetup& s) { return s.place == place; });
+    };
+    std::erase_if(outcomes_, [&](const auto& earlier) {
+        return std::all_of(earlier->setups.begin(), earlier->setups.end(),
+                           [&](const JudgedSetup& s) { return judges(s.place); });
+    });
+    outcomes_.insert(outcomes_.begin(), std::move(outcome));
+    choose_outcome();
+    emit changed();
+}
+
+void VerificationModel::clear() {
+    if (outcomes_.empty()) return;
+    outcomes_.clear();
+    choose_outcome();
+    emit changed();
+}
+
+bool VerificationModel::covers(const VerificationOutcome& outcome) const {
+    const std::size_t shown = chosen_setup(document_.project());
+    const std::vector<int>& own = document_.setup_ids()[shown];
+    for (const JudgedSetup& setup : outcome.setups) {
+        if (setup.place == shown && (outcome.program || own.empty())) return true;
+        // By their operations: setups change places.
+        if (std::any_of(setup.ids.begin(), setup.ids.end(),
+                        [&](int id) { return std::find(own.begin(), own.end(), id) != own.end(); }))
+            return true;
+    }
+    return false;
+}
+
+void VerificationModel::choose_outcome() {
+    const auto it =
+        std::find_if(outcomes_.begin(), outcomes_.end(), [&](const auto& o) { return covers(*o); });
+    const auto chosen = it == outcomes_.end() ? nullptr : *it;
+    const std::size_t shown = chosen_setup(document_.project());
+    if (chosen != outcome_ || shown != listed_setup_) {
+        outcome_ = chosen;
+        listed_setup_ = shown;
+        list_findings();
+    }
+    current_ = is_current();
+}
+
+const JudgedSetup* VerificationModel::shown_setup() const {
+    if (!outcome_) return nullptr;
+    for (const JudgedSetup& setup : outcome_->setups)
+        if (setup.place == chosen_setup(document_.project())) return &setup;
+    return nullptr;
+}
+
+bool VerificationModel::covers_all() const {
+    if (!outcome_) return false;
+    const Project& project = document_.project();
+    // Setups that go on with what others leave are one job with them.
+    std::size_t first = chosen_setup(project), last = first + 1;
+    const auto goes_on = [&](std::size_t i) {
+        return setup_at(project, i).stock.kind == StockSpec::Kind::rest;
+    };
+    while (first > 0 && goes_on(first))
+        --first;
+    while (last < setup_count(project) && goes_on(last))
+        ++last;
+    return outcome_->setups.size() == last - first;
+}
+
+void VerificationModel::list_findings() {
     findings_.clear();
+    if (!outcome_) return;
     const Verification& v = *outcome_->verification;
+    const JudgedSetup* setup = shown_setup();
+    const SetupFrame frame = setup ? setup->frame : SetupFrame();
     for (const DeviationExtreme& e : v.gouges)
-        findings_.push_back({Finding::Kind::gouge, -e.deviation, e.point, e.normal, e.by});
+        findings_.push_back(
+            {Finding::Kind::gouge, -e.deviation, frame(e.point), frame.turn * e.normal, e.by});
     for (const Collision& c : v.collisions) {
         const auto kind = c.kind == Collision::Kind::shank    ? Finding::Kind::shank
                           : c.kind == Collision::Kind::holder ? Finding::Kind::holder
                           : c.kind == Collision::Kind::cutter ? Finding::Kind::cutter
                                                               : Finding::Kind::rapid;
-        findings_.push_back({kind, c.depth, c.place, Vec3::Zero(), c.at, c.with_part,
+        findings_.push_back({kind, c.depth, frame(c.place), Vec3::Zero(), c.at, c.with_part,
                              QString::fromStdString(printable(c.fixture, 60))});
     }
     for (const DeviationExtreme& e : v.excess)
-        findings_.push_back({Finding::Kind::excess, e.deviation, e.point, e.normal, e.by});
-    current_ = is_current();
-    emit changed();
-}
-
-void VerificationModel::clear() {
-    if (!outcome_) return;
-    outcome_ = nullptr;
-    findings_.clear();
-    current_ = false;
-    emit changed();
+        findings_.push_back(
+            {Finding::Kind::excess, e.deviation, frame(e.point), frame.turn * e.normal, e.by});
 }
 
 bool VerificationModel::is_current() const {
-    if (!outcome_ || !document_.part_is_current()
-        || outcome_->part_key != Document::part_key(document_.project())
-        || outcome_->limits != document_.project().limits || outcome_->program != document_.program())
+    const Project& project = document_.project();
+    if (!outcome_ || !document_.part_is_current() || outcome_->limits != project.limits
+        || outcome_->program != document_.program())
         return false;
-    if (outcome_->program) return true;
-    if (outcome_->posting_key != Document::posting_key(document_.project())) return false;
-    if (outcome_->ids.size() != document_.operation_count()) return false;
-    for (std::size_t i = 0; i < outcome_->ids.size(); ++i)
-        if (document_.operation_id(i) != outcome_->ids[i] || document_.state(i) != OperationState::planned
-            || Document::fingerprint(document_.project(), i) != outcome_->fingerprints[i])
+    for (const JudgedSetup& setup : outcome_->setups) {
+        if (setup.place >= setup_count(project)) return false;
+        const Project view = view_of_setup(project, setup.place);
+        if (setup.part_key != Document::part_key(view)) return false;
+        if (outcome_->program) continue;
+        if (setup.posting_key != Document::posting_key(view)
+            || setup.ids != document_.setup_ids()[setup.place])
             return false;
+        for (std::size_t i = 0; i < setup.ids.size(); ++i)
+            if (Document::fingerprint(view, i) != setup.fingerprints[i]
+                || !document_.result_of(setup.ids[i], setup.fingerprints[i]))
+                return false;
+    }
     return true;
 }
 
 void VerificationModel::update() {
-    if (!outcome_) return;
+    if (outcomes_.empty()) return;
+    const auto was = outcome_;
     const bool before = current_;
-    current_ = is_current();
-    if (current_ != before || !current_) emit changed(); // stale: the operations may be others, too
+    choose_outcome();
+    if (outcome_ != was || current_ != before || !current_)
+        emit changed(); // stale: the operations may be others, too
 }
 
 bool VerificationModel::fits_part() const {
-    return outcome_ && outcome_->part_key == Document::part_key(document_.project());
+    const JudgedSetup* setup = shown_setup();
+    return setup && setup->part_key == Document::part_key(document_.project());
 }
 
-std::optional<std::size_t> VerificationModel::judged(std::size_t operation) const {
-    if (!outcome_ || operation >= document_.operation_count()) return std::nullopt;
-    const auto& ids = outcome_->ids;
-    const auto it = std::find(ids.begin(), ids.end(), document_.operation_id(operation));
-    if (it == ids.end()) return std::nullopt;
-    return std::size_t(it - ids.begin());
+bool VerificationModel::judged(std::size_t operation) const {
+    if (!outcome_ || operation >= document_.operation_count()) return false;
+    const int id = document_.operation_id(operation);
+    return std::any_of(outcome_->setups.begin(), outcome_->setups.end(), [id](const JudgedSetup& s) {
+        return std::find(s.ids.begin(), s.ids.end(), id) != s.ids.end();
+    });
 }
 
-bool VerificationModel::by(const Finding& finding, std::size_t judged) const {
-    const auto& operations = outcome_->program_operations;
-    return finding.by.known() && finding.by.program < operations.size()
-           && operations[finding.by.program] == judged;
+bool VerificationModel::by(const Finding& finding, int id) const {
+    const auto& programs = outcome_->programs;
+    return finding.by.known() && finding.by.program < programs.size()
+           && programs[finding.by.program].id == id;
 }
 
-bool VerificationModel::found_in(std::size_t judged) const {
+bool VerificationModel::found_in(int id) const {
     return std::any_of(findings_.begin(), findings_.end(),
-                       [&](const Finding& f) { return f.kind != Finding::Kind::excess && by(f, judged); });
+                       [&](const Finding& f) { return f.kind != Finding::Kind::excess && by(f, id); });
 }
 
 bool VerificationModel::gouges_are_cut_off() const {
@@ -148,6 +221,43 @@ Verdict shown(facetmill::Verdict verdict) {
 
 } // namespace
 
+QString subject_text(const VerificationOutcome& outcome) {
+    const QString blocks = count_text(outcome.posted_blocks);
+    if (outcome.setups.size() > 1)
+        return outcome.posted_blocks == 0
+                   ? VerificationModel::tr("%1 setups as one job").arg(outcome.setups.size())
+                   : VerificationModel::tr("%1 setups as one job, as posted, %2 blocks")
+                         .arg(outcome.setups.size())
+                         .arg(blocks);
+    return outcome.posted_blocks == 0 ? QString()
+                                      : VerificationModel::tr("the posted program, %1 blocks").arg(blocks);
+}
+
+namespace {
+
+QString uncut_text(const Verification& v) {
+    return VerificationModel::tr("%1 of what is to be cut is left uncut (allowed %2)")
+        .arg(percent_text(v.uncut_share), percent_text(v.used.uncut_limit));
+}
+
+} // namespace
+
+QString failure_text(const VerificationOutcome& outcome, LengthUnit unit) {
+    const Verification& v = *outcome.verification;
+    if (v.passed()) return {};
+    if (v.verdict() == facetmill::Verdict::not_judged) return with_lengths_in(text(v.not_judged), unit);
+    QStringList parts;
+    if (v.gouged())
+        parts << VerificationModel::tr("gouges up to %1")
+                     .arg(shown_length(std::max(v.figures.gouge_max, v.border.gouge_max), unit, 3));
+    if (!v.collisions.empty())
+        parts << (v.collisions.size() == 1
+                      ? VerificationModel::tr("1 collision")
+                      : VerificationModel::tr("%1 collisions").arg(count_text(v.collisions.size())));
+    if (v.left_uncut()) parts << uncut_text(v);
+    return parts.join(QStringLiteral(", "));
+}
+
 Verdict VerificationModel::verdict() const {
     if (!outcome_) return Verdict::none;
     if (!current_) return Verdict::stale;
@@ -155,19 +265,15 @@ Verdict VerificationModel::verdict() const {
 }
 
 Verdict VerificationModel::verdict(std::size_t operation) const {
-    const auto at = judged(operation);
-    if (!at) return Verdict::none;
+    if (!judged(operation)) return Verdict::none;
     if (!current_) return Verdict::stale;
-    return shown(verification().verdict_where(found_in(*at) || gouges_are_cut_off()));
-}
-
-bool VerificationModel::uncut_fails() const {
-    return verification().left_uncut();
+    return shown(
+        verification().verdict_where(found_in(document_.operation_id(operation)) || gouges_are_cut_off()));
 }
 
 QString VerificationModel::why(std::size_t operation) const {
-    const auto at = judged(operation);
-    if (!at) return verdict_text(Verdict::none);
+    if (!judged(operation)) return verdict_text(Verdict::none);
+    const int id = document_.operation_id(operation);
     if (!current_) return tr("Verification out of date: the project has changed since");
     if (verdict(operation) == Verdict::not_judged)
         return tr("Cannot be judged: %1")
@@ -176,7 +282,7 @@ QString VerificationModel::why(std::size_t operation) const {
     double deepest = 0;
     std::size_t gouges = 0, collisions = 0;
     for (const Finding& f : findings_) {
-        if (!by(f, *at) || f.kind == Finding::Kind::excess) continue;
+        if (!by(f, id) || f.kind == Finding::Kind::excess) continue;
         if (f.kind == Finding::Kind::gouge) {
             ++gouges;
             deepest = std::max(deepest, f.depth);
@@ -188,7 +294,7 @@ QString VerificationModel::why(std::size_t operation) const {
     if (gouges > 0) parts << tr("gouges up to %1").arg(shown_length(deepest, document_.unit(), 3));
     if (collisions > 0)
         parts << (collisions == 1 ? tr("1 collision") : tr("%1 collisions").arg(count_text(collisions)));
-    if (uncut_fails()) parts << uncut_text();
+    if (verification().left_uncut()) parts << uncut_text(verification());
     if (parts.isEmpty())
         return tr("Failed verification: the part is gouged at more places than are listed, "
                   "so this operation is not cleared");
@@ -196,36 +302,29 @@ QString VerificationModel::why(std::size_t operation) const {
 }
 
 QString VerificationModel::program_name(std::size_t program) const {
-    if (!outcome_ || program >= outcome_->plan->operations.size()) return {};
-    return text(outcome_->plan->operations[program]->name);
+    if (!outcome_ || program >= outcome_->programs.size()) return {};
+    return text(outcome_->programs[program].name);
+}
+
+QString verdict_message(const VerificationOutcome& outcome, LengthUnit unit) {
+    const Verification& v = *outcome.verification;
+    const QString took = duration_text(v.seconds_cutting + v.seconds_probing),
+                  subject = subject_text(outcome), failure = failure_text(outcome, unit);
+    if (v.passed())
+        return subject.isEmpty()
+                   ? VerificationModel::tr("Verified in %1: no gouge, no collision.").arg(took)
+                   : VerificationModel::tr("Verified in %1: %2: no gouge, no collision.").arg(took, subject);
+    if (v.verdict() == facetmill::Verdict::not_judged)
+        return VerificationModel::tr("Not verified (in %1), it cannot be judged: %2.").arg(took, failure);
+    return VerificationModel::tr("Verification failed (in %1): %2.").arg(took, failure);
 }
 
 QString VerificationModel::subject_text() const {
-    if (!outcome_ || outcome_->posted_blocks == 0) return {};
-    return tr("the posted program, %1 blocks").arg(count_text(outcome_->posted_blocks));
-}
-
-QString VerificationModel::uncut_text() const {
-    const Verification& v = verification();
-    return tr("%1 of what is to be cut is left uncut (allowed %2)")
-        .arg(percent_text(v.uncut_share), percent_text(v.used.uncut_limit));
+    return outcome_ ? ui::subject_text(*outcome_) : QString();
 }
 
 QString VerificationModel::failure_text() const {
-    if (!outcome_ || verification().passed()) return {};
-    const Verification& v = verification();
-    if (v.verdict() == facetmill::Verdict::not_judged)
-        return with_lengths_in(text(v.not_judged), document_.unit());
-    QStringList parts;
-    if (v.gouged())
-        parts << tr("gouges up to %1")
-                     .arg(shown_length(std::max(v.figures.gouge_max, v.border.gouge_max), document_.unit(),
-                                       3));
-    if (!v.collisions.empty())
-        parts << (v.collisions.size() == 1 ? tr("1 collision")
-                                           : tr("%1 collisions").arg(count_text(v.collisions.size())));
-    if (uncut_fails()) parts << uncut_text();
-    return parts.join(QStringLiteral(", "));
+    return outcome_ ? ui::failure_text(*outcome_, document_.unit()) : QString();
 }
 
 } // namespace facetmill::ui

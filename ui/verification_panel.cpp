@@ -61,7 +61,12 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     verify_ = new QPushButton(icon(Icon::verify), tr("Verify"), page);
     verify_->setObjectName(QStringLiteral("verify_button"));
     connect(verify_, &QPushButton::clicked, this, &VerificationPanel::verify_requested);
+    verify_all_ = new QPushButton(icon(Icon::verify), tr("Verify all setups"), page);
+    verify_all_->setObjectName(QStringLiteral("verify_all_button"));
+    verify_all_->setToolTip(tr("Plan what is not planned yet, and judge all setups as one job (Shift+F6)"));
+    connect(verify_all_, &QPushButton::clicked, this, &VerificationPanel::verify_all_requested);
     column->addWidget(verify_, 0, Qt::AlignLeft);
+    column->addWidget(verify_all_, 0, Qt::AlignLeft);
 
     results_ = new QWidget(page);
     auto* results = new QVBoxLayout(results_);
@@ -111,12 +116,14 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
 
 void VerificationPanel::set_ready(bool on) {
     verify_->setEnabled(on);
+    verify_all_->setEnabled(on);
 }
 
 void VerificationPanel::set_scale(const DeviationScale& scale) {
     scale_ = scale;
     range_->set_scale(scale_, document_.unit());
-    if (model_.any()) histogram_->show_deviation(model_.outcome().display, scale_, document_.unit());
+    const JudgedSetup* setup = model_.shown_setup();
+    if (setup) histogram_->show_deviation(setup->display, scale_, document_.unit());
 }
 
 QString VerificationPanel::verdict_line() const {
@@ -212,6 +219,10 @@ void VerificationPanel::show_verdict() {
         note = tr("The project has changed since. What is shown here is of the plan as it was.");
         break;
     }
+    const bool part_of_job = model_.any() && !model_.covers_all();
+    if (part_of_job && verdict != Verdict::stale)
+        note += (note.isEmpty() ? QString() : QStringLiteral(" "))
+                + tr("This setup alone was judged, not the whole job.");
     icon_->setPixmap(icon(which).pixmap(20, 20));
     verdict_->setText(line);
     QFont bold = font();
@@ -224,6 +235,8 @@ void VerificationPanel::show_verdict() {
     note_->setVisible(!note.isEmpty());
     verify_->setVisible(verdict == Verdict::none || verdict == Verdict::stale);
     verify_->setText(verdict == Verdict::stale ? tr("Verify again") : tr("Verify"));
+    verify_all_->setVisible(setup_count(document_.project()) > 1
+                            && (verdict == Verdict::none || verdict == Verdict::stale || part_of_job));
 }
 
 QString VerificationPanel::figures_html() const {
@@ -339,7 +352,7 @@ void VerificationPanel::fill_findings() {
         findings_->addTopLevelItem(item);
     }
     findings_->headerItem()->setText(depth_column, tr("Depth, %1").arg(text(unit_name(listed_unit_))));
-    findings_->setColumnHidden(operation_column, model_.outcome().plan->operations.size() < 2);
+    findings_->setColumnHidden(operation_column, model_.outcome().programs.size() < 2);
     findings_->setSortingEnabled(true);
     findings_->sortByColumn(kind_column, Qt::AscendingOrder);
     for (const int c : {kind_column, depth_column, goto_column})
@@ -351,7 +364,7 @@ void VerificationPanel::choose() {
     const QTreeWidgetItem* item = findings_->currentItem();
     if (!item || !model_.any()) return;
     const auto i = std::size_t(item->data(kind_column, finding_role).toULongLong());
-    if (i < model_.findings().size()) emit finding_chosen(Finding(model_.findings()[i]));
+    if (i < model_.findings().size()) emit finding_chosen(i);
 }
 
 } // namespace facetmill::ui

@@ -35,7 +35,10 @@ public:
 
 signals:
     void verify_requested();
-    void finding_chosen(const facetmill::ui::Finding& finding);
+    /// All setups, as one job.
+    void verify_all_requested();
+    /// Its place in the model's list.
+    void finding_chosen(std::size_t which);
     void range_edited(double low, double high);
     void range_reset();
 
@@ -58,7 +61,7 @@ private:
     bool figures_shown_ = false; ///< since the last refresh
     QLabel *icon_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *figures_ = nullptr,
            *findings_title_ = nullptr, *remarks_ = nullptr;
-    QPushButton* verify_ = nullptr;
+    QPushButton *verify_ = nullptr, *verify_all_ = nullptr;
     QWidget* results_ = nullptr;
     DeviationHistogramView* histogram_ = nullptr;
     DeviationRangeEditor* range_ = nullptr;

@@ -1,6 +1,7 @@
 #include "ui/window_commands.h"
 
 #include "core/output/apt.h"
+#include "ui/all_setups.h"
 #include "ui/command.h"
 #include "ui/controllers.h"
 #include "ui/help_dialogs.h"
@@ -131,6 +132,23 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   [&w, can_plan] { return can_plan() || (w.document().program() && !w.job().running()); },
                   {},
                   tr("Cut a model of the stock with all operations and compare it with the part (F6)")});
+    const auto can_plan_all = [&w] { return w.planning().all_setups().can_plan(); };
+    commands.add({"plan_all",
+                  tr("Plan all &setups"),
+                  {},
+                  {QKeySequence(Qt::SHIFT | Qt::Key_F5)},
+                  [&w] { w.planning().all_setups().plan(); },
+                  can_plan_all,
+                  {},
+                  tr("Plan every setup, each on the stock that those before it leave (Shift+F5)")});
+    commands.add({"verify_all",
+                  tr("Verify all se&tups"),
+                  {},
+                  {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+                  [&w] { w.planning().all_setups().verify(); },
+                  can_plan_all,
+                  {},
+                  tr("Plan what is not planned yet, and judge all setups as one job (Shift+F6)")});
     commands.add({"cancel",
                   tr("&Cancel"),
                   Icon::cancel,

@@ -61,7 +61,9 @@ std::vector<MenuTable> menus() {
                  + Entries{"-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",
                            "report_dock", "verification_dock", "cspace_dock", "unrolled_dock", "strips_dock",
                            "place_dock", "chart_dock", "log_dock", "tool_bar"}},
-            {"plan_menu", tr("&Plan"), {"plan", "verify", "cancel", "-", "export"}},
+            {"plan_menu",
+             tr("&Plan"),
+             {"plan", "verify", "-", "plan_all", "verify_all", "-", "cancel", "-", "export"}},
             {"help_menu", tr("&Help"), {"keys", "about"}}};
 }
 

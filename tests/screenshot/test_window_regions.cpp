@@ -461,7 +461,7 @@ private slots:
         const auto rework = result->further.front();
         const VerificationModel& model = w().verification().model();
         QVERIFY(model.any());
-        QCOMPARE(model.outcome().plan->operations.size(), std::size_t(2));
+        QCOMPARE(model.outcome().programs.size(), std::size_t(2));
         QVERIFY2(model.verdict() == ui::Verdict::verified, qPrintable(model.failure_text()));
         QCOMPARE(model.verdict(0), ui::Verdict::verified);
         QCOMPARE(model.verification().figures.uncut_fraction, 0.0);

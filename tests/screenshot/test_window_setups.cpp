@@ -5,20 +5,24 @@
 #include "tests/support/part_meshes.h"
 #include "ui/message_bar.h"
 #include "ui/parameter_form.h"
+#include "ui/program_export.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/verification_controller.h"
+#include "ui/verification_panel.h"
 
 #include <QAction>
 #include <QFile>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
 
 using namespace facetmill;
 using namespace facetmill::test;
 using ui::TreeNode;
+using ui::VerificationModel;
 
 namespace {
 
@@ -119,7 +123,7 @@ private slots:
         // Elsewhere and back: nothing has to be planned anew.
         go_to(0);
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(w().document().state(0), ui::OperationState::not_planned);
+        QCOMPARE(w().document().state(0), ui::OperationState::planned); // it had to be
         go_to(1);
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(w().document().state(0), ui::OperationState::planned);
@@ -128,6 +132,97 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(w().document().state(0), ui::OperationState::stale);
         QVERIFY(!w().document().has_stock());
+    }
+
+    /// Planned and judged together: what one cuts is not uncut for the other, and the verdict is that of
+    /// both.
+    void all_setups_are_one_job() {
+        const VerificationModel& model = w().verification().model();
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(model.any() && !model.covers_all());
+        auto* button = w().findChild<QPushButton*>(QStringLiteral("verify_all_button"));
+        QVERIFY(button && button->isVisible() && button->isEnabled());
+        shot(w(), QStringLiteral("setups-one-alone"));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QVERIFY2(model.verdict() == ui::Verdict::verified, qPrintable(model.failure_text()));
+        QVERIFY(model.current() && model.covers_all());
+        QCOMPARE(model.outcome().setups.size(), std::size_t(2));
+        QCOMPARE(model.program_name(1), QStringLiteral("Below"));
+        QVERIFY(w().verification().doubt().isEmpty());
+        QVERIFY(!button->isVisible());
+        const double uncut = model.verification().uncut_share;
+        // The same from the other side, with the colours on the part as it lies there.
+        go_to(1);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), ui::OperationState::planned);
+        QVERIFY(w().document().has_stock());
+        QVERIFY(model.current() && model.fits_part());
+        QCOMPARE(model.verdict(0), ui::Verdict::verified);
+        QCOMPARE(model.verification().uncut_share, uncut);
+        const Box3 &part = w().document().part()->box, colours = model.shown_setup()->display->box;
+        QVERIFY((part.lo - colours.lo).norm() < 1e-3 && (part.hi - colours.hi).norm() < 1e-3);
+        shot(w(), QStringLiteral("setups-verified"));
+        // So does the sheet: one for both, with the picture of the one that is seen.
+        w().exports().save_sheet(folder_ + "/sheet.html");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QFile sheet(folder_ + "/sheet.html");
+        QVERIFY(sheet.open(QIODevice::ReadOnly));
+        const QByteArray html = sheet.readAll();
+        QVERIFY(html.contains("Top") && html.contains("Bottom") && html.contains("Finish")
+                && html.contains("Below"));
+        QCOMPARE(html.count("<img"), 1);
+        // The plan of this one goes on from what it began with.
+        w().plan(0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QVERIFY(model.current());
+        // A verdict on one of them alone takes its place, there only; a change ends all.
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(model.outcome().setups.size(), std::size_t(1));
+        go_to(0);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(model.outcome().setups.size(), std::size_t(2));
+        QVERIFY(model.current());
+        w().document().change(QStringLiteral("Edit"),
+                              [](Project& p) { p.after[0].operations[0]->common().feed = 333; });
+        QVERIFY(!model.current());
+        QCOMPARE(model.verdict(), ui::Verdict::stale);
+    }
+
+    /// A finding is seen in the setup that made it.
+    void a_finding_leads_to_its_setup() {
+        w().document().change(QStringLiteral("Edit"), [](Project& p) {
+            p.limits.gouge_limit = {1e-6, {}};
+        }); // what rounding leaves
+        QTest::keyClick(&w(), Qt::Key_F6, Qt::ShiftModifier);
+        QVERIFY(wait_until_settled(w()));
+        const VerificationModel& model = w().verification().model();
+        QCOMPARE(model.verdict(), ui::Verdict::failed);
+        std::size_t which = 0;
+        while (which < model.findings().size()
+               && model.program_name(model.findings()[which].by.program) != QStringLiteral("Below"))
+            ++which;
+        QVERIFY(which < model.findings().size());
+        const Vec3 above = model.findings()[which].place;
+        QTreeWidget* list = w().verification().panel()->findings();
+        const auto rows = list->findItems(QStringLiteral("Below"), Qt::MatchExactly, 3);
+        QVERIFY(!rows.isEmpty());
+        for (QTreeWidgetItem* row : rows)
+            if (row->data(0, Qt::UserRole).toULongLong() == which) list->setCurrentItem(row);
+        emit list->itemClicked(list->currentItem(), 0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(chosen_setup(project()), std::size_t(1));
+        QVERIFY(model.current());
+        const SetupFrame frame = frame_of(project().place);
+        QVERIFY((model.findings()[which].place - frame(above)).norm() < 1e-9);
+        QVERIFY(w().verification().engaged());
+        shot(w(), QStringLiteral("setups-finding"));
     }
 
     void setups_are_added_renamed_moved_and_removed() {

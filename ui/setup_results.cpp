@@ -1,0 +1,66 @@
+#include "ui/setup_results.h"
+
+#include "core/job/stock_solid.h"
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+SetupResults::SetupResults(const Document& document) : ids_(document.setup_ids()) {
+    for (std::size_t k = 0; k < ids_.size(); ++k) {
+        const Project view = view_of_setup(document.project(), k);
+        for (std::size_t i = 0; i < ids_[k].size(); ++i) {
+            const std::string fingerprint = Document::fingerprint(view, i);
+            if (auto result = document.result_of(ids_[k][i], fingerprint))
+                kept_[ids_[k][i]] = {ids_[k][i], std::move(result), {}, fingerprint};
+        }
+    }
+}
+
+std::shared_ptr<const PlanResult> SetupResults::kept(Planner& planner, const Project& view,
+                                                     const Progress& progress) const {
+    const std::vector<int>& ids = ids_[chosen_setup(view)];
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto it = kept_.find(ids[i]);
+        // Files may have been written anew meanwhile.
+        if (it == kept_.end() || it->second.fingerprint != Document::fingerprint(view, i)) return nullptr;
+    }
+    auto plan = std::make_shared<PlanResult>();
+    plan->part = planner.prepare(view, progress);
+    plan->stock = stock_solid(view.stock, *plan->part);
+    plan->stock_warnings = stock_warnings(view.stock, *plan->part, view.unit);
+    for (const int id : ids) {
+        const auto& result = kept_.at(id).result;
+        auto programs = programs_of(result);
+        if (programs.empty()) plan->idle.push_back(result);
+        std::move(programs.begin(), programs.end(), std::back_inserter(plan->operations));
+    }
+    return plan;
+}
+
+std::shared_ptr<const PlanResult> SetupResults::plan(Planner& planner, const Project& view,
+                                                     const Progress& progress) {
+    auto plan = kept(planner, view, progress);
+    if (!plan) {
+        const std::size_t setup = chosen_setup(view);
+        std::vector<OperationOutcome> outcomes;
+        for (std::size_t i = 0; i < ids_[setup].size(); ++i)
+            outcomes.push_back({ids_[setup][i], nullptr, {}, Document::fingerprint(view, i)});
+        plan = planner.plan(view, {}, progress);
+        for (std::size_t i = 0; i < outcomes.size(); ++i)
+            for (const auto* all : {&plan->operations, &plan->idle})
+                for (const auto& result : *all)
+                    if (result->name == view.operations[i]->common().name) outcomes[i].result = result;
+        std::move(outcomes.begin(), outcomes.end(), std::back_inserter(outcomes_));
+    }
+    plan->check_programs();
+    return plan;
+}
+
+PlanSetup SetupResults::planning() {
+    return [this](Planner& planner, const Project& view, const std::string&, const Progress& progress) {
+        return plan(planner, view, progress);
+    };
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,125 @@
+#include "ui/verification_run.h"
+
+#include "core/job/chain_verification.h"
+#include "core/job/posting.h"
+#include "core/job/stock_solid.h"
+#include "core/job/verification.h"
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr std::size_t max_samples = 400'000; ///< points of the deviation: what a processor can still draw
+
+void add_judged_programs(VerificationOutcome& outcome, std::size_t setup, int id,
+                         const std::shared_ptr<const OperationResult>& result) {
+    std::size_t index = 0;
+    for (const JudgedProgram& p : outcome.programs)
+        if (p.setup == setup) ++index;
+    for (const auto& program : programs_of(result))
+        outcome.programs.push_back({program->name, setup, id, index++});
+}
+
+JudgedSetup judged_setup(const Project& view, const std::vector<int>& ids) {
+    JudgedSetup setup;
+    setup.place = chosen_setup(view);
+    setup.ids = ids;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        setup.fingerprints.push_back(Document::fingerprint(view, i));
+    setup.part_key = Document::part_key(view);
+    setup.posting_key = Document::posting_key(view);
+    return setup;
+}
+
+} // namespace
+
+std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document) {
+    auto plan = std::make_shared<PlanResult>();
+    plan->part = document.part();
+    plan->stock = stock_solid(document.project().stock, *document.part());
+    if (document.program()) {
+        plan->operations = document.program()->operations;
+        return plan;
+    }
+    for (std::size_t i = 0; i < document.operation_count(); ++i)
+        for (const auto& program : programs_of(document.result(i)))
+            plan->operations.push_back(program);
+    return plan;
+}
+
+std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
+                                                  const std::shared_ptr<const PlanResult>& plan) {
+    return document.program() ? document.program()->programs : verify_programs(document.project(), plan);
+}
+
+std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan) {
+    auto outcome = std::make_shared<VerificationOutcome>();
+    outcome->limits = document.project().limits;
+    outcome->program = document.program();
+    std::vector<int> ids;
+    if (outcome->program)
+        for (const auto& program : plan.operations)
+            outcome->programs.push_back({program->name, 0, 0, outcome->programs.size()});
+    else
+        for (std::size_t i = 0; i < document.operation_count(); ++i) {
+            ids.push_back(document.operation_id(i));
+            add_judged_programs(*outcome, 0, ids.back(), document.result(i));
+        }
+    outcome->setups.push_back(judged_setup(document.project(), ids));
+    return outcome;
+}
+
+void judge(VerificationOutcome& outcome, const Project& project,
+           const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
+           const Progress& progress) {
+    // A program from a file stands for itself.
+    PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
+                                            : programs_to_judge(project, plan, progress.part(0, 0.1));
+    outcome.posted_blocks = posted.blocks;
+    outcome.across = plan->part->box.diagonal();
+    stand_fixtures(posted.programs, *plan->part);
+    VerifySettings settings = verify_settings(project, outcome.program ? nullptr : plan.get());
+    settings.max_samples = max_samples;
+    auto result = std::make_shared<Verification>(facetmill::verify(
+        *plan->part->mesh, plan->stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
+    name_planned_motions(*result, posted);
+    tell_posted(*result, posted);
+    outcome.setups.front().display = prepare_deviation_display(
+        result->surface, default_scale(*result, project.unit), progress.part(0.97, 1, "Preparing the view"));
+    outcome.verification = std::move(result);
+}
+
+std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPlan> chain,
+                                                        const std::vector<std::vector<int>>& ids,
+                                                        const Progress& progress) {
+    auto outcome = std::make_shared<VerificationOutcome>();
+    outcome->chain.assign(chain.begin(), chain.end());
+    outcome->limits = chain.front().project.limits;
+    outcome->across = chain.front().plan->part->box.diagonal();
+    for (const SetupPlan& setup : chain) {
+        const std::vector<int>& own = ids[chosen_setup(setup.project)];
+        outcome->setups.push_back(judged_setup(setup.project, own));
+        outcome->setups.back().frame = frame_between(chain.front().project, setup.project);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const std::string& name = setup.project.operations[i]->common().name;
+            for (const auto& result : setup.plan->operations)
+                if (result->name == name)
+                    add_judged_programs(*outcome, outcome->setups.size() - 1, own[i], result);
+        }
+    }
+    VerifySettings settings = chain_settings(outcome->chain);
+    settings.max_samples = max_samples;
+    const JudgedChain judged =
+        judge_posted_chain(outcome->chain, settings, progress.part(0, 0.95, "Verifying"));
+    outcome->verification = judged.result;
+    outcome->posted_blocks = judged.posted_blocks;
+    const DeviationDisplayPtr display = prepare_deviation_display(
+        judged.result->surface, default_scale(*judged.result, chain.front().project.unit),
+        progress.part(0.95, 1, "Preparing the view"));
+    for (JudgedSetup& setup : outcome->setups)
+        setup.display =
+            setup.frame.is_identity() ? display : moved_display(*display, setup.frame.turn, setup.frame.move);
+    return outcome;
+}
+
+} // namespace facetmill::ui

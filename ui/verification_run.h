@@ -1,0 +1,32 @@
+// Verifying for the workbench: what a job's thread does. No widgets.
+#pragma once
+
+#include "core/job/setup_plan.h"
+#include "ui/verification_model.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace facetmill::ui {
+
+/// The plan that is shown, or the program in its place; all operations are planned as they stand.
+std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document);
+std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
+                                                  const std::shared_ptr<const PlanResult>& plan);
+/// What will be judged of the shown setup, before it is; `plan`: all programs that are shown.
+std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan);
+
+/// Fills in what an outcome of one setup says of its plan, or of the programs that stand in its place. Where
+/// there is a control, what it will run is judged. Throws what programs_to_judge and verify do.
+void judge(VerificationOutcome& outcome, const Project& project,
+           const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
+           const Progress& progress);
+
+/// The same of setups that cut one stock. `ids`: of the operations of each setup of the document. Throws what
+/// judge_posted_chain does.
+std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPlan> chain,
+                                                        const std::vector<std::vector<int>>& ids,
+                                                        const Progress& progress);
+
+} // namespace facetmill::ui
