@@ -106,7 +106,9 @@ std::optional<SceneFixtures::Pick> SceneFixtures::pick(double x, double y, const
 
 void SceneFixtures::apply_palette(const Colors& colors) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        bodies_[i]->faces.color(chosen_ == i ? colors.chosen_fixture : colors.fixture);
+        bodies_[i]->faces.color(chosen_ == i          ? colors.chosen_fixture
+                                : (*fixtures_)[i].tab ? colors.cut_stock
+                                                      : colors.fixture);
         bodies_[i]->edges.color(colors.feature_edges);
     }
 }
@@ -130,9 +132,16 @@ void SceneFixtures::add_bounds(Box3& box) const {
 }
 
 void SceneFixtures::add_legend(std::vector<LegendEntry>& entries, ShownSurface) const {
-    if (!bodies_.empty())
-        entries.push_back({LegendEntry::Sample::surface, colors_of(stage_.palette).fixture, 1,
-                           bodies_.size() == 1 ? "Fixture" : "Fixtures"});
+    if (!fixtures_) return;
+    const Colors& colors = colors_of(stage_.palette);
+    const auto tabs = std::size_t(
+        std::count_if(fixtures_->begin(), fixtures_->end(), [](const FixtureSolid& f) { return f.tab; }));
+    const std::size_t others = fixtures_->size() - tabs;
+    if (others > 0)
+        entries.push_back(
+            {LegendEntry::Sample::surface, colors.fixture, 1, others == 1 ? "Fixture" : "Fixtures"});
+    if (tabs > 0)
+        entries.push_back({LegendEntry::Sample::surface, colors.cut_stock, 1, tabs == 1 ? "Tab" : "Tabs"});
 }
 
 } // namespace facetmill

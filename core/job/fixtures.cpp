@@ -17,10 +17,11 @@ namespace {
 constexpr std::size_t max_fixture_facets = 50'000;
 
 FixtureSolid load_fixture(const Project& project, const Fixture& fixture, const Progress& progress) {
-    FixtureSolid solid{fixture.name, nullptr, nullptr, fixture.clearance};
+    const bool tab = fixture.kind == Fixture::Kind::tab;
+    FixtureSolid solid{fixture.name, nullptr, nullptr, tab ? 0 : fixture.clearance, tab};
     if (fixture.kind != Fixture::Kind::mesh) {
         solid.mesh = std::make_shared<Mesh>(fixture_mesh(fixture));
-        solid.grown = std::make_shared<Mesh>(fixture_mesh(fixture, fixture.clearance));
+        solid.grown = std::make_shared<Mesh>(fixture_mesh(fixture, solid.clearance));
         return solid;
     }
     solid.mesh =
@@ -89,7 +90,8 @@ std::vector<std::string> fixture_warnings(const Project& project, const Prepared
     constexpr double inside = 0.75; // below a large sheet it is a half
     std::vector<std::string> warnings;
     for (const Fixture& f : project.fixtures) {
-        if (f.kind == Fixture::Kind::mesh) continue;
+        if (f.kind == Fixture::Kind::mesh || f.kind == Fixture::Kind::tab)
+            continue; // a tab begins in the part
         const std::vector<Vec3> places = places_within(f);
         const bool stands = std::any_of(places.begin(), places.end(), [&](const Vec3& p) {
             return (p.array() > part.box.lo.array()).all() && (p.array() < part.box.hi.array()).all()

@@ -175,7 +175,10 @@ void Sheet::pictures(std::span<const SheetPicture> all) {
 
 std::string Sheet::fixture_text(const Fixture& f) const {
     const auto triple = [&](const std::array<double, 3>& v) { return point(Vec3(v[0], v[1], v[2])); };
-    std::string said = f.kind == Fixture::Kind::box ? "box, " + triple(f.size)
+    const bool tab = f.kind == Fixture::Kind::tab;
+    std::string said = tab ? fixture_parameters().find("shape")->info.words.at(std::size_t(f.shape))
+                                 + " tab, " + triple(f.size)
+                       : f.kind == Fixture::Kind::box ? "box, " + triple(f.size)
                        : f.kind == Fixture::Kind::cylinder
                            ? "cylinder, diameter " + length(f.diameter) + ", height " + length(f.height)
                            : "mesh " + f.file;
@@ -186,7 +189,7 @@ std::string Sheet::fixture_text(const Fixture& f) const {
         for (std::size_t k = 0; k < 3; ++k)
             said += (k > 0 ? ", " : "") + format_number(degrees(f.rotate[k]), 6) + "°";
     }
-    return said + "; tools keep " + length(f.clearance);
+    return tab ? said + "; it is left standing" : said + "; tools keep " + length(f.clearance);
 }
 
 void Sheet::part_and_stock() {

@@ -51,6 +51,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "below_bottom";
     case UncutReason::Why::fixture:
         return "fixture";
+    case UncutReason::Why::tab:
+        return "tab";
     case UncutReason::Why::boundary:
         return "boundary";
     case UncutReason::Why::outside_stock:
@@ -198,6 +200,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "the tool" + of + " fits, but would go below the bottom of the stock";
     case UncutReason::Why::fixture:
         return "the tool" + of + " fits, but would come too near to a fixture";
+    case UncutReason::Why::tab:
+        return "the tool" + of + " fits, but a tab is to stay there";
     case UncutReason::Why::boundary:
         return "the tool" + of + " fits, but its boundary leaves the place out";
     case UncutReason::Why::outside_stock:

@@ -23,7 +23,7 @@ ParameterInfo fixture_length(const char* key, const char* label, const char* hel
             .stage = Stage::contact};
 }
 
-/// An upright prism over a polygon counted counter-clockwise.
+/// The upright prism over a polygon counted counter-clockwise.
 Mesh prism_over(const std::vector<Vec2>& polygon, double bottom, double top) {
     Mesh mesh;
     const auto n = Index(polygon.size());
@@ -57,6 +57,19 @@ std::vector<Vec2> fixture_outline(const Fixture& fixture, double by) {
     return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
+/// Along x, with its upper edge above the middle. Grown, its flanks are that much farther out.
+Mesh triangular_tab(const Fixture& fixture, double by) {
+    const double half = 0.5 * fixture.size[1], height = fixture.size[2];
+    const double slant = std::hypot(half, height);
+    const double rise = by * slant / half;                    // of the edge, for flanks that move out by `by`
+    const double wide = half * (height + rise + by) / height; // where they meet the lower bottom
+    Mesh mesh = prism_over({{-wide, -by}, {wide, -by}, {0, height + rise}}, -0.5 * fixture.size[0] - by,
+                           0.5 * fixture.size[0] + by);
+    for (Vec3& p : mesh.vertices)
+        p = Vec3(p.z(), p.x(), p.y()); // even: it stays wound outward
+    return mesh;
+}
+
 } // namespace
 
 const ParameterTable<Fixture>& fixture_parameters() {
@@ -71,18 +84,26 @@ const ParameterTable<Fixture>& fixture_parameters() {
         t.add_choice(&Fixture::kind, {.key = "kind",
                                       .label = "Kind",
                                       .help = "Shape of what holds the part: a vice's jaw or a clamp is a "
-                                              "box, a bolt or a chuck a cylinder.",
-                                      .words = {"box", "cylinder", "mesh"},
+                                              "box, a bolt or a chuck a cylinder. A tab is a piece of the "
+                                              "stock that is left between part and rest.",
+                                      .words = {"box", "cylinder", "mesh", "tab"},
                                       .stage = Stage::contact});
         t.add(&Fixture::size, {.key = "size",
                                .label = "Size",
-                               .help = "Of the box along X, Y and Z, before it is turned.",
+                               .help = "Of the box along X, Y and Z, before it is turned; of a tab its "
+                                       "length from the part outward, its width and its height.",
                                .kind = K::triple,
                                .quantity = Quantity::length,
                                .minimum = 0,
                                .maximum = 1e5,
                                .open_minimum = true,
                                .stage = Stage::contact});
+        t.add_choice(&Fixture::shape, {.key = "shape",
+                                       .label = "Shape",
+                                       .help = "Of a tab as it is seen along its length. A triangular one is "
+                                               "cut in ramps and breaks off more easily.",
+                                       .words = {"rectangular", "triangular"},
+                                       .stage = Stage::contact});
         t.add(&Fixture::diameter, fixture_length("diameter", "Diameter", "Of the cylinder."));
         t.add(&Fixture::height,
               fixture_length("height", "Height", "Of the cylinder, along Z before it is turned."));
@@ -114,18 +135,21 @@ const std::string& fixture_kind_name(Fixture::Kind kind) {
 }
 
 const std::vector<std::string>& fixture_keys(Fixture::Kind kind) {
-    static const std::array<std::vector<std::string>, 3> keys{
+    static const std::array<std::vector<std::string>, 4> keys{
         {{"name", "kind", "size", "rotate", "translate", "clearance"},
          {"name", "kind", "diameter", "height", "rotate", "translate", "clearance"},
-         {"name", "kind", "file", "units", "scale", "mirror", "rotate", "translate", "clearance"}}};
+         {"name", "kind", "file", "units", "scale", "mirror", "rotate", "translate", "clearance"},
+         {"name", "kind", "size", "shape", "rotate", "translate"}}};
     return keys.at(std::size_t(kind));
 }
 
 Mesh fixture_mesh(const Fixture& fixture, double by) {
     if (fixture.kind == Fixture::Kind::mesh)
         throw Error(ErrorCode::internal, "fixtures", "a mesh has no described shape", "report this");
-    const double height = fixture.kind == Fixture::Kind::box ? fixture.size[2] : fixture.height;
-    Mesh mesh = prism_over(fixture_outline(fixture, by), -by, height + by);
+    const double height = fixture.kind == Fixture::Kind::cylinder ? fixture.height : fixture.size[2];
+    Mesh mesh = fixture.kind == Fixture::Kind::tab && fixture.shape == Fixture::TabShape::triangular
+                    ? triangular_tab(fixture, by)
+                    : prism_over(fixture_outline(fixture, by), -by, height + by);
     const Mat3 turn = rotation_of(fixture.rotate);
     const Vec3 move(fixture.translate[0], fixture.translate[1], fixture.translate[2]);
     for (Vec3& p : mesh.vertices)

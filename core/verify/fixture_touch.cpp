@@ -119,6 +119,7 @@ std::vector<Collision> fixture_touches(std::span<const VerifyProgram> programs, 
         const double spacing = fixture_spacing_share * working_radius(program.tool.cutter);
         const Motion& first = program.motions->motions.front();
         for (const FixtureSolid& fixture : *program.fixtures) {
+            if (fixture.tab) continue;
             TouchMap touches = TouchSearch(bodies, i, fixture, spacing, progress).run();
             // Motions that begin in there may never meet its surface.
             if (touches.empty() && std::abs(winding_number(*fixture.mesh, first.to.tip, progress)) > 0.5)

@@ -78,6 +78,7 @@ struct FitTool {
         Room room;
         double clearance;
         MeshPtr mesh;
+        bool tab;
     };
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
@@ -142,7 +143,7 @@ public:
                 for (const FixtureSolid& f : *p.fixtures) {
                     const double apart =
                         std::max(f.clearance, fixture_place_share * p.tool.cutter.max_radius());
-                    tool.fixtures.push_back({Room(*f.mesh, apart, progress), f.clearance, f.mesh});
+                    tool.fixtures.push_back({Room(*f.mesh, apart, progress), f.clearance, f.mesh, f.tab});
                 }
             tools_.push_back(std::move(tool));
         }
@@ -151,8 +152,8 @@ public:
     void stand_in(const StockModel& stock, const Progress& progress) {
         left_.emplace(stock_places(stock, progress), progress);
     }
-    /// not_cut where a tool fits, boundary, below_bottom, fixture, stock, held, or no_tool; and the program
-    /// whose tool or cutter it is.
+    /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, or no_tool; and the
+    /// program whose tool or cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
         WhyUncut told_off;
         for (std::size_t program = tools_.size(); program-- > 0;) {
@@ -176,18 +177,20 @@ private:
             if (m.kind != MotionKind::rapid)
                 tool.lowest = std::min(tool.lowest, lowest_of(tool.cutter, m.to, tool.up));
     }
-    /// not_cut, below_bottom, fixture, stock, held or no_tool for one of the tools.
+    /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools.
     UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal) const {
         const Vec3 start = point + allowance_ * normal;
-        bool held = false, beside_fixture = false, in_stock = false, low = false;
+        bool held = false, beside_fixture = false, in_tab = false, in_stock = false, low = false;
         for (const auto& [along, axis] : axes_near(tool, normal))
             for (const Vec3& touch : places_at(tool.cutter, normal, *axis)) {
                 const CutterLocation at{start - touch, *axis};
                 if (!room_.has(tool.cutter, at, gouge_limit_ - allowance_)) continue;
                 if (!body_stands(room_, at, tool))
                     held = true;
-                else if (!clear_of_fixtures(at, tool))
+                else if (!clear_of(at, tool, false))
                     beside_fixture = true;
+                else if (!clear_of(at, tool, true))
+                    in_tab = true;
                 else if (lowest_of(tool.cutter, at, tool.up) < tool.lowest - gouge_limit_)
                     low = true;
                 else if (left_ && !body_stands(*left_, at, tool))
@@ -197,6 +200,7 @@ private:
             }
         return in_stock         ? UncutReason::Why::stock
                : low            ? UncutReason::Why::below_bottom
+               : in_tab         ? UncutReason::Why::tab
                : beside_fixture ? UncutReason::Why::fixture
                : held           ? UncutReason::Why::held
                                 : UncutReason::Why::no_tool;
@@ -247,9 +251,10 @@ private:
         return std::all_of(tool.sections.begin(), tool.sections.end(),
                            [&](const BodySupport& s) { return room.has(s, at, gouge_limit_); });
     }
-    /// No nearer than the clearance, and what planners keep beyond it.
-    bool clear_of_fixtures(const CutterLocation& at, const FitTool& tool) const {
+    /// No nearer to fixtures, or to tabs, than the clearance, and what planners keep beyond it.
+    bool clear_of(const CutterLocation& at, const FitTool& tool, bool tabs) const {
         return std::all_of(tool.fixtures.begin(), tool.fixtures.end(), [&](const FitTool::Held& held) {
+            if (held.tab != tabs) return true;
             const double slack = -beyond_clearance * held.clearance;
             const auto has = [&](const BodySupport& body) { return held.room.has(body, at, slack); };
             // Deep in a large one no place of its surface is near.

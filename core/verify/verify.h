@@ -100,6 +100,7 @@ struct UncutReason {
         stock,         ///< a tool fits in there, its shank or holder in what is left of the stock
         below_bottom,  ///< a tool fits in there, lower than the stock's bottom and than its program goes
         fixture,       ///< a tool fits in there, nearer to a fixture than its clearance
+        tab,           ///< a tool fits in there, and would cut a tab that is to stay
         boundary,      ///< a tool fits in there, and its operation is told to stay out
         no_tool,       ///< no cutter of the programs fits in there
         outside_stock, ///< the stock does not reach it

@@ -52,6 +52,30 @@ private slots:
             QVERIFY(least > -1e-12);
         }
     }
+    /// Along its length it stands on the middle of its bottom; grown, it holds all that is nearer than that.
+    void a_tab_stays_between_part_and_rest() {
+        Fixture f;
+        f.kind = Fixture::Kind::tab;
+        f.size = {14, 6, 2};
+        QVERIFY(std::abs(volume_of(fixture_mesh(f)) - 14 * 6 * 2) < 1e-9);
+        f.shape = Fixture::TabShape::triangular;
+        const Mesh plain = fixture_mesh(f);
+        QVERIFY(std::abs(volume_of(plain) - 14 * 6 * 2 / 2.0) < 1e-9); // outward
+        QVERIFY((plain.box().lo - Vec3(-7, -3, 0)).norm() < 1e-12);
+        QVERIFY((plain.box().hi - Vec3(7, 3, 2)).norm() < 1e-12);
+        const Mesh grown = fixture_mesh(f, 0.5);
+        for (std::size_t t = 0; t < plain.facet_count(); ++t) {
+            // Each plane of the plain one has one of the grown one half a millimetre farther out.
+            const Vec3 n = plain.facet_normal(t);
+            double out = -infinity;
+            for (std::size_t g = 0; g < grown.facet_count(); ++g)
+                if (grown.facet_normal(g).dot(n) > 1 - 1e-9) out = std::max(out, n.dot(grown.corner(g, 0)));
+            QVERIFY(std::abs(out - n.dot(plain.corner(t, 0)) - 0.5) < 1e-9);
+        }
+        f.rotate = {0, 0, radians(90)};
+        f.translate = {1, 2, 3};
+        QVERIFY((fixture_mesh(f).box().lo - Vec3(-2, -5, 3)).norm() < 1e-12);
+    }
     void a_mesh_is_read_elsewhere() {
         Fixture f;
         f.kind = Fixture::Kind::mesh;
@@ -60,7 +84,8 @@ private slots:
     void every_parameter_belongs_to_a_kind() {
         for (const ParameterInfo* info : fixture_parameters().infos()) {
             int kinds = 0;
-            for (const auto kind : {Fixture::Kind::box, Fixture::Kind::cylinder, Fixture::Kind::mesh}) {
+            for (const auto kind :
+                 {Fixture::Kind::box, Fixture::Kind::cylinder, Fixture::Kind::mesh, Fixture::Kind::tab}) {
                 const auto& keys = fixture_keys(kind);
                 kinds += std::find(keys.begin(), keys.end(), info->key) != keys.end();
             }
