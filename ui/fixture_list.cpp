@@ -10,8 +10,13 @@ std::size_t add_fixture(Document& document, NewFixture what) {
     const std::size_t at = project.fixtures.size();
     if (!document.part_is_current()) return at;
     const StockSolid stock = stock_solid(project.stock, *document.part());
+    const Box3& box = stock.box.empty() ? document.part()->box : stock.box;
     const std::vector<Fixture> made =
-        new_fixtures(project, what, stock.box.empty() ? document.part()->box : stock.box);
+        what == NewFixture::tabs ? new_tabs(project, *document.part()->mesh, box, usual_tabs, Progress())
+                                 : new_fixtures(project, what, box);
+    if (made.empty())
+        throw Error(ErrorCode::empty_result, "tabs", "nowhere is the part's outline straight and free enough",
+                    "add a box, choose the kind \"tab\" and move it to its place");
     document.change(Document::tr("Add fixture"),
                     [&](Project& p) { p.fixtures.insert(p.fixtures.end(), made.begin(), made.end()); });
     return at;

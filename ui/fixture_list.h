@@ -9,7 +9,7 @@
 namespace facetmill::ui {
 
 /// Round the stock as it is known; returns the place of the first one. Only where the part was read as the
-/// project says.
+/// project says. Throws Error(empty_result) where tabs have no place.
 std::size_t add_fixture(Document& document, NewFixture what);
 /// Behind itself, beside it along Y.
 void duplicate_fixture(Document& document, std::size_t i);

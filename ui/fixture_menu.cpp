@@ -2,6 +2,7 @@
 
 #include "ui/fixture_list.h"
 #include "ui/icons.h"
+#include "ui/text.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -21,6 +22,7 @@ constexpr FixtureEntry fixture_entries[] = {
     {NewFixture::plate, "fixture_plate", QT_TRANSLATE_NOOP("FixtureMenu", "Plate below")},
     {NewFixture::box, "fixture_box", QT_TRANSLATE_NOOP("FixtureMenu", "Box")},
     {NewFixture::cylinder, "fixture_cylinder", QT_TRANSLATE_NOOP("FixtureMenu", "Cylinder")},
+    {NewFixture::tabs, "fixture_tabs", QT_TRANSLATE_NOOP("FixtureMenu", "Tabs round the part")},
 };
 
 QString fixture_label(const char* text) {
@@ -30,13 +32,19 @@ QString fixture_label(const char* text) {
 } // namespace
 
 QMenu* fixture_menu(QWidget* parent, Document& document, const std::function<void(std::size_t)>& added,
-                    const std::function<void(std::size_t)>& wants_mesh) {
+                    const std::function<void(std::size_t)>& wants_mesh,
+                    const std::function<void(const QString&)>& refused) {
     auto* menu = new QMenu(fixture_label(QT_TRANSLATE_NOOP("FixtureMenu", "Add fixture")), parent);
     menu->setIcon(icon(Icon::fixture));
     for (const FixtureEntry& entry : fixture_entries) {
-        QAction* a =
-            menu->addAction(icon(Icon::fixture), fixture_label(entry.label), parent,
-                            [&document, added, what = entry.what] { added(add_fixture(document, what)); });
+        QAction* a = menu->addAction(icon(Icon::fixture), fixture_label(entry.label), parent,
+                                     [&document, added, refused, what = entry.what] {
+                                         try {
+                                             added(add_fixture(document, what));
+                                         } catch (const Error& e) {
+                                             refused(sentence(text(e.what())));
+                                         }
+                                     });
         a->setObjectName(QString::fromLatin1(entry.name));
     }
     QAction* mesh =

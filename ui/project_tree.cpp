@@ -200,7 +200,8 @@ void ProjectTree::make_actions() {
         [this](std::size_t at) {
             select({TreeNode::Kind::fixture, at});
         },
-        [this](std::size_t at) { emit new_mesh_fixture(at); });
+        [this](std::size_t at) { emit new_mesh_fixture(at); },
+        [this](const QString& why) { emit refused(why); });
     add_boundary_ = boundary_menu(this, document_, [this](std::size_t at) {
         select({TreeNode::Kind::boundary, at});
     });

@@ -106,6 +106,40 @@ private slots:
         QVERIFY((w().viewport().scene().bounds().hi - bare.hi).norm() < 1e-6);
     }
 
+    /// Four round the part, at its bottom, as one step of the history; the plan goes round them.
+    void tabs_stand_round_the_part() {
+        const std::string before = project_to_json(project());
+        w().document().change(QStringLiteral("Edit"), [](Project& p) { p.stock.margin = {20, 20, 0}; });
+        QVERIFY(wait_until_settled(w()));
+        add_and_wait("fixture_tabs");
+        QCOMPARE(project().fixtures.size(), std::size_t(4));
+        QVERIFY(w().tree().selected() == (TreeNode{TreeNode::Kind::fixture, 0}));
+        for (const Fixture& tab : project().fixtures) {
+            QVERIFY(tab.kind == Fixture::Kind::tab);
+            QVERIFY(std::abs(tab.translate[2] - w().document().part()->box.lo.z()) < 1e-3);
+        }
+        auto* form = w().properties().form();
+        QVERIFY(!form->findChild<QWidget*>(QStringLiteral("clearance")));
+        auto* shape = form->findChild<QComboBox*>(QStringLiteral("shape"));
+        QVERIFY(shape);
+        shape->setCurrentIndex(shape->findText(QStringLiteral("triangular")));
+        emit shape->activated(shape->currentIndex());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(project().fixtures[0].shape == Fixture::TabShape::triangular);
+        w().verify(); // plans first
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QVERIFY(w().verification().model().verification().collisions.empty());
+        w().tree().select({TreeNode::Kind::fixture, 1});
+        QVERIFY(wait_until_settled(w()));
+        shot(w(), QStringLiteral("fixtures-tabs"));
+        for (int n = 0; n < 3; ++n)
+            w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(project_to_json(project()), before);
+    }
+
     /// A click chooses a fixture, a drag moves it level under the pointer, with Ctrl upright.
     void one_is_dragged() {
         add_and_wait("fixture_box");
