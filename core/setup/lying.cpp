@@ -6,6 +6,9 @@
 #include "core/base/turn.h"
 #include "core/mesh/convex_hull.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <map>
 
@@ -347,6 +350,71 @@ Mat3 turn_to_square(const Mesh& mesh) {
         }
     }
     return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
+
+namespace {
+
+/// Second moments of a surface about its middle, by area. A triangle's are those of its corners and its
+/// middle.
+Mat3 surface_moments(const Mesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    double area = 0;
+    const auto weight = [&](std::size_t f) { return 0.5 * mesh.facet_cross(f).norm(); };
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        area += weight(f);
+        sum += weight(f) * (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
+    }
+    if (!(area > 0)) return Mat3::Zero();
+    const Vec3 middle = sum / area;
+    Mat3 moments = Mat3::Zero();
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        Vec3 all = Vec3::Zero();
+        Mat3 own = Mat3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 p = mesh.corner(f, k) - middle;
+            all += p;
+            own += p * p.transpose();
+        }
+        moments += weight(f) / 12 * (own + all * all.transpose());
+    }
+    return moments / area;
+}
+
+/// The smallest turn that brings a direction, either way, along a coordinate axis.
+Mat3 turn_along(const Vec3& direction, int axis) {
+    const Vec3 to = Vec3::Unit(axis);
+    return Eigen::Quaterniond::FromTwoVectors(direction.dot(to) < 0 ? Vec3(-direction) : direction, to)
+        .toRotationMatrix();
+}
+
+} // namespace
+
+Mat3 turn_to_principal(const Mesh& mesh) {
+    constexpr double alike = 1e-3; // of the largest moment
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(surface_moments(mesh));
+    const Vec3 moments = solver.eigenvalues(); // ascending
+    const Mat3 axes = solver.eigenvectors();
+    const bool short_two = moments[1] - moments[0] <= alike * moments[2],
+               long_two = moments[2] - moments[1] <= alike * moments[2];
+    if (short_two && long_two)
+        throw Error(ErrorCode::out_of_range, "part",
+                    "it is alike in all directions and has no principal axes",
+                    "lay it on a face, or turn it by an angle");
+    if (short_two) return turn_along(axes.col(2), 0);
+    if (long_two) return turn_along(axes.col(0), 2);
+    Mat3 best = Mat3::Identity();
+    double largest = -infinity;
+    for (const int x : {-1, 1})
+        for (const int z : {-1, 1}) {
+            Mat3 turn;
+            turn.row(0) = x * axes.col(2).transpose();
+            turn.row(2) = z * axes.col(0).transpose();
+            turn.row(1) = turn.row(2).cross(turn.row(0));
+            if (turn.trace() <= largest) continue;
+            largest = turn.trace();
+            best = turn;
+        }
+    return best;
 }
 
 Box3 turned_box(const Mesh& mesh, const Mat3& turn) {

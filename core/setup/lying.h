@@ -49,6 +49,12 @@ Vec3 down_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middl
 /// the smallest turn.
 Mat3 turn_to_square(const Mesh& mesh);
 
+/// The turn that brings the principal axes of a mesh's surface (its second moments by area about its middle)
+/// along X, Y and Z: the longest along X, the shortest along Z; of the four ways round the smallest turn.
+/// Where two of them are alike, as in what is round, the third alone is brought, by the smallest turn. Throws
+/// Error(out_of_range) where all are alike.
+Mat3 turn_to_principal(const Mesh& mesh);
+
 /// The box of a mesh once turned about the origin.
 Box3 turned_box(const Mesh& mesh, const Mat3& turn);
 /// The placement of a part (`mesh`: in its place) after a turn: the middle of its box keeps its X and Y, and

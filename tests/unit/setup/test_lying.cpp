@@ -31,6 +31,24 @@ Vec3 place(const Placement& at, Vec3 p) {
     return p + vec(at.translate);
 }
 
+/// Upright, of radius 10, with 48 sides.
+Mesh disc_of(double height) {
+    Mesh mesh;
+    constexpr Index sides = 48;
+    mesh.vertices = {Vec3(0, 0, 0), Vec3(0, 0, height)};
+    for (Index k = 0; k < sides; ++k)
+        for (const double z : {0.0, height})
+            mesh.vertices.emplace_back(10 * std::cos(2 * pi * k / sides), 10 * std::sin(2 * pi * k / sides),
+                                       z);
+    for (Index k = 0; k < sides; ++k) {
+        const Index a = 2 + 2 * k, b = 2 + 2 * ((k + 1) % sides);
+        for (const Facet& f :
+             {Facet{0, b, a}, Facet{1, a + 1, b + 1}, Facet{a, b, b + 1}, Facet{a, b + 1, a + 1}})
+            mesh.facets.push_back(f);
+    }
+    return mesh;
+}
+
 /// The facets of several meshes.
 Mesh together(const std::vector<Mesh>& parts) {
     Mesh all;
@@ -190,6 +208,70 @@ private slots:
         QVERIFY(std::abs(now.lo.z()) < 1e-8);
         QVERIFY((now.center().head<2>() - block.box().center().head<2>()).norm() < 1e-8);
         QVERIFY((now.size() - Vec3(10, 30, 60)).norm() < 1e-8);
+    }
+
+    /// The axes of what has been turned at random come back, by the smallest turn of the four that bring
+    /// them.
+    void principal_axes_come_back() {
+        std::mt19937 random(7);
+        std::normal_distribution<double> gauss;
+        const Mesh block = box(Vec3(-30, -10, -4), Vec3(30, 10, 4));
+        for (int k = 0; k < 200; ++k) {
+            const Mat3 crooked =
+                Eigen::Quaterniond(gauss(random), gauss(random), gauss(random), gauss(random))
+                    .normalized()
+                    .toRotationMatrix();
+            Mesh turned = block;
+            for (Vec3& v : turned.vertices)
+                v = crooked * v + Vec3(100, -7, 55);
+            const Mat3 turn = turn_to_principal(turned);
+            QVERIFY((turned_box(turned, turn).size() - Vec3(60, 20, 8)).norm() < 1e-9);
+            QVERIFY(std::abs(turn.determinant() - 1) < 1e-9);
+            for (int axis = 0; axis < 3; ++axis)
+                QVERIFY(turn.trace() >= (quarter_turn(axis, 2) * turn).trace() - 1e-9);
+        }
+        // An L, whose axes are no sides of it: against the covariance of places drawn from its surface.
+        const Mesh l = together({box(Vec3(0, 0, 0), Vec3(40, 8, 5)), box(Vec3(0, 8, 0), Vec3(8, 25, 5))});
+        std::vector<double> area;
+        for (std::size_t f = 0; f < l.facet_count(); ++f)
+            area.push_back(l.facet_cross(f).norm());
+        std::discrete_distribution<std::size_t> facet(area.begin(), area.end());
+        std::uniform_real_distribution<double> share(0, 1);
+        Vec3 sum = Vec3::Zero();
+        Mat3 squares = Mat3::Zero();
+        constexpr int places = 400'000;
+        for (int k = 0; k < places; ++k) {
+            const std::size_t f = facet(random);
+            double a = share(random), b = share(random);
+            if (a + b > 1) a = 1 - a, b = 1 - b;
+            const Vec3 p = l.corner(f, 0) + a * (l.corner(f, 1) - l.corner(f, 0))
+                           + b * (l.corner(f, 2) - l.corner(f, 0));
+            sum += p;
+            squares += p * p.transpose();
+        }
+        const Mat3 covariance = squares / places - sum / places * (sum / places).transpose();
+        const Mat3 turn = turn_to_principal(l), along = turn * covariance * turn.transpose();
+        QVERIFY(along(0, 0) > along(1, 1) && along(1, 1) > along(2, 2));
+        for (const auto& [i, k] : {std::pair{0, 1}, {0, 2}, {1, 2}})
+            QVERIFY(std::abs(along(i, k)) < 0.01 * along(0, 0));
+    }
+
+    /// What is round has one axis, which alone is brought along; a cube has none.
+    void round_parts_have_one_principal_axis() {
+        const Mat3 crooked =
+            Eigen::AngleAxisd(radians(20), Vec3(0.3, 1, 0.2).normalized()).toRotationMatrix();
+        for (const double height : {100.0, 4.0}) {
+            Mesh round = disc_of(height);
+            for (Vec3& v : round.vertices)
+                v = crooked * v;
+            const Mat3 turn = turn_to_principal(round);
+            const Vec3 axis = turn * crooked * Vec3::UnitZ();
+            QVERIFY(std::abs(std::abs(axis[height > 50 ? 0 : 2]) - 1) < 1e-6);
+            if (height < 50) QVERIFY(std::acos((turn.trace() - 1) / 2) < radians(20) + 1e-6);
+        }
+        QCOMPARE(code_of([] { turn_to_principal(box(Vec3(0, 0, 0), Vec3(5, 5, 5))); }),
+                 std::string("out_of_range"));
+        QCOMPARE(code_of([] { turn_to_principal(Mesh()); }), std::string("out_of_range"));
     }
 
     void edges_points_and_squares() {
