@@ -39,6 +39,7 @@ enum class Icon {
     lay_on_points,
     align_edge,
     square_up,
+    principal_axes,
     quarter_turn,
     quarter_back,
     mirror,

@@ -48,34 +48,35 @@ std::vector<Side> outline_of(const Mesh& mesh, const std::vector<Index>& face) {
 
 PlaceController::PlaceController(Document& document, Viewport& viewport, Messages& messages, QWidget* window)
     : Controller(window), document_(document), viewport_(viewport), messages_(messages),
-      panel_(new PlacePanel(window)), flight_(new CameraFlight(viewport)) {
+      panel_(new PlacePanel(window)), flight_(new CameraFlight(viewport)),
+      steps_(new PlaceSteps(document, viewport, messages, this)), gizmo_(new PlaceGizmo(viewport, this)) {
     connect(panel_, &PlacePanel::order_changed, this, &PlaceController::find_faces);
     connect(panel_, &PlacePanel::face_chosen, this, &PlaceController::show_chosen);
     connect(panel_, &PlacePanel::lay_wanted, this, &PlaceController::lay_chosen);
     connect(panel_, &PlacePanel::pick_wanted, this, &PlaceController::pick);
     connect(panel_, &PlacePanel::turn_wanted, this, [this](int axis, int quarters) {
-        lay(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))), quarter_turn(axis, quarters));
+        steps_->lay(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))), quarter_turn(axis, quarters));
     });
     connect(panel_, &PlacePanel::square_wanted, this, [this] {
-        if (const Mesh* m = mesh()) lay(tr("Square up part"), turn_to_square(*m));
+        if (const Mesh* m = mesh()) steps_->lay(tr("Square up part"), turn_to_square(*m));
     });
-    connect(panel_, &PlacePanel::mirror_wanted, this, [this](int axis) {
-        const Mesh* m = mesh();
-        if (m)
-            change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
-                   mirrored(placement_of(document_.project().placed_part()), axis, m->box().center()[axis]));
+    connect(panel_, &PlacePanel::principal_wanted, steps_, &PlaceSteps::lay_by_principal_axes);
+    connect(panel_, &PlacePanel::mirror_wanted, steps_, &PlaceSteps::mirror);
+    connect(panel_, &PlacePanel::drop_wanted, steps_, &PlaceSteps::drop_to_zero);
+    connect(panel_, &PlacePanel::centre_wanted, steps_, &PlaceSteps::centre);
+    connect(panel_->value_row(), &PlaceValueRow::wanted, steps_, &PlaceSteps::apply);
+    connect(gizmo_, &PlaceGizmo::dragged, this, [this](PlaceChange what, int axis, double value) {
+        if (!mesh()) return;
+        const auto [turn, move] = PlaceSteps::motion(document_.part()->box, what, axis, value);
+        viewport_.scene().part().set_pose(turn, move);
+        panel_->value_row()->show_value(what, axis, value);
+        viewport_.refresh();
     });
-    connect(panel_, &PlacePanel::drop_wanted, this, [this] {
-        if (const Mesh* m = mesh())
-            change(tr("Drop part to Z 0"),
-                   moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -m->box().lo.z())));
-    });
-    connect(panel_, &PlacePanel::centre_wanted, this, [this] {
-        const Mesh* m = mesh();
-        if (!m) return;
-        const Vec3 middle = m->box().center();
-        change(tr("Centre part"),
-               moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)));
+    connect(gizmo_, &PlaceGizmo::dropped, this, [this](PlaceChange what, int axis, double value) {
+        // As it is drawn it stays until it has been read anew.
+        if (value != 0 && steps_->apply(what, axis, value)) return;
+        viewport_.scene().part().set_pose(Mat3::Identity(), Vec3::Zero());
+        viewport_.refresh();
     });
     connect(panel_, &PlacePanel::zero_wanted, this, [this](bool on_part, const std::array<double, 3>& place) {
         change_zero([&](ProgramSpec& spec) {
@@ -99,10 +100,6 @@ PlaceController::~PlaceController() = default;
 
 bool PlaceController::busy() const {
     return job_.running() || flight_->flying();
-}
-
-const Mesh* PlaceController::mesh() const {
-    return document_.part_is_current() ? document_.part()->mesh.get() : nullptr;
 }
 
 void PlaceController::project_opened() {
@@ -135,8 +132,11 @@ void PlaceController::panel_seen(bool) {
 
 void PlaceController::refresh() {
     const bool there = document_.has_part() && document_.part();
-    panel_->show_box(there ? document_.part()->box : Box3(), document_.unit());
+    const Box3 box = there ? document_.part()->box : Box3();
+    panel_->show_box(box, document_.unit(), document_.project().part.scale);
     if (!mesh()) leave();
+    gizmo_->set_box(mesh() ? box : Box3(), document_.unit());
+    viewport_.set_gizmo(seen_ ? gizmo_ : nullptr);
     show_zero();
     find_faces();
 }
@@ -234,7 +234,7 @@ void PlaceController::show_chosen() {
 
 void PlaceController::lay_chosen() {
     const auto i = panel_->chosen();
-    if (i && *i < faces_.size()) lay(tr("Lay part on face"), turn_to_lie(faces_[*i].down));
+    if (i && *i < faces_.size()) steps_->lay(tr("Lay part on face"), turn_to_lie(faces_[*i].down));
 }
 
 void PlaceController::pick(PlacePick what) {
@@ -264,7 +264,12 @@ void PlaceController::pick(PlacePick what) {
 }
 
 bool PlaceController::take_key(const QKeyEvent& event) {
-    if (picking_ == PlacePick::none || event.key() != Qt::Key_Escape) return false;
+    if (event.key() != Qt::Key_Escape) return false;
+    if (gizmo_->dragging()) {
+        gizmo_->cancel();
+        return true;
+    }
+    if (picking_ == PlacePick::none) return false;
     leave();
     return true;
 }
@@ -300,7 +305,7 @@ void PlaceController::take_face(const PartPick& pick) {
             lowest = std::max(lowest, down.dot(part.vertices[v]));
     const double above = lowest - down.dot(part.corner(pick.facet, 0));
     leave();
-    lay(tr("Lay part on face"), turn_to_lie(down));
+    steps_->lay(tr("Lay part on face"), turn_to_lie(down));
     // A face in a hollow, or between feet.
     if (above > 1e-3 * part.box().diagonal())
         messages_.information(
@@ -319,7 +324,7 @@ void PlaceController::take_point(const PartPick& pick) {
     const std::vector<Vec3> points = std::exchange(points_, {});
     const Mat3 turn = turn_to_lie(down_through(points[0], points[1], points[2], mesh()->box().center()));
     leave();
-    lay(tr("Lay part on three points"), turn);
+    steps_->lay(tr("Lay part on three points"), turn);
 }
 
 void PlaceController::take_edge(const PartPick& pick) {
@@ -330,35 +335,7 @@ void PlaceController::take_edge(const PartPick& pick) {
     if (nearest == sides.end()) return;
     const Mat3 turn = turn_along_x(nearest->to - nearest->from);
     leave();
-    lay(tr("Align edge with X"), turn);
-}
-
-void PlaceController::lay(const QString& what, const Mat3& turn) {
-    const Mesh* m = mesh();
-    if (!m) return;
-    change(what, laid(placement_of(document_.project().placed_part()), *m, turn));
-}
-
-void PlaceController::change(const QString& what, const Placement& placement) {
-    if (placement == placement_of(document_.project().placed_part())) {
-        messages_.information(tr("The part lies so already."));
-        return;
-    }
-    viewport_.scene().marks().set_marker(std::nullopt);
-    try {
-        document_.change(what, [&](Project& p) {
-            lay_part(p, placement);
-            // Numbers that no file can hold are refused.
-            ParameterView<PartSpec> part(p.part, part_parameters());
-            ParameterView<SetupPlace> place(p.place, place_parameters());
-            for (Parameterized* values :
-                 {static_cast<Parameterized*>(&part), static_cast<Parameterized*>(&place)})
-                for (const char* key : {"rotate", "translate"})
-                    values->set(key, values->get(key));
-        });
-    } catch (const Error& e) {
-        messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
-    }
+    steps_->lay(tr("Align edge with X"), turn);
 }
 
 } // namespace facetmill::ui

@@ -4,7 +4,9 @@
 
 #include "ui/background_job.h"
 #include "ui/controller.h"
+#include "ui/place_gizmo.h"
 #include "ui/place_panel.h"
+#include "ui/place_steps.h"
 
 #include <functional>
 #include <optional>
@@ -24,6 +26,7 @@ public:
     ~PlaceController() override;
 
     PlacePanel* panel() { return panel_; }
+    PlaceGizmo* gizmo() { return gizmo_; }
     /// Ends what is picked.
     void leave() { pick(PlacePick::none); }
     const std::vector<LyingFace>& faces() const { return faces_; }
@@ -52,16 +55,15 @@ private:
     void take_face(const PartPick& pick);
     void take_point(const PartPick& pick);
     void take_edge(const PartPick& pick);
-    /// The part as it stands, and where the project says that it does; null while it is read anew.
-    const Mesh* mesh() const;
-    void lay(const QString& what, const Mat3& turn);
-    void change(const QString& what, const Placement& placement);
+    const Mesh* mesh() const { return steps_->mesh(); }
 
     Document& document_;
     Viewport& viewport_;
     Messages& messages_;
     PlacePanel* panel_ = nullptr;
     CameraFlight* flight_ = nullptr;
+    PlaceSteps* steps_ = nullptr;
+    PlaceGizmo* gizmo_ = nullptr;
     bool seen_ = false;
     std::string listed_; ///< says what the list was, or is being, made from
     std::vector<LyingFace> faces_;

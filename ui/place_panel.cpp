@@ -2,6 +2,7 @@
 
 #include "ui/flow_layout.h"
 #include "ui/icons.h"
+#include "ui/place_value.h"
 #include "ui/text.h"
 
 #include <QComboBox>
@@ -175,6 +176,10 @@ void PlacePanel::build_turns(QVBoxLayout* column) {
             of_part_.push_back(b);
         }
     column->addLayout(grid);
+    column->addWidget(section(tr("By a value, or by the handles in the view"), this));
+    value_row_ = new PlaceValueRow(this);
+    of_part_.push_back(value_row_);
+    column->addWidget(value_row_);
 }
 
 void PlacePanel::build_moves(QVBoxLayout* column) {
@@ -192,6 +197,10 @@ void PlacePanel::build_moves(QVBoxLayout* column) {
     add(Icon::square_up, tr("Square up"),
         tr("Turns the part about Z until its box is smallest, the longer side along X"), "place_square",
         [this] { emit square_wanted(); });
+    add(Icon::principal_axes, tr("Principal axes"),
+        tr("Turns the part so that it is longest along X and shortest along Z, by the moments of its "
+           "surface"),
+        "place_principal", [this] { emit principal_wanted(); });
     add(Icon::drop, tr("Drop to Z 0"), tr("Moves the part along Z until its lowest point has Z 0"),
         "place_drop", [this] { emit drop_wanted(); });
     add(Icon::centre, tr("Centre"), tr("Moves the middle of the part's box to X 0, Y 0"), "place_centre",
@@ -306,14 +315,18 @@ std::optional<std::size_t> PlacePanel::chosen() const {
     return std::size_t(list_->indexOfTopLevelItem(items.front()));
 }
 
-void PlacePanel::show_box(const Box3& box, LengthUnit unit) {
+void PlacePanel::show_box(const Box3& box, LengthUnit unit, double scale) {
+    value_row_->set_unit(unit);
     for (QWidget* w : of_part_)
         w->setEnabled(!box.empty());
     extents_->setVisible(!box.empty());
     if (box.empty()) return size_->setText(tr("No part has been read."));
     const Vec3 s = box.size();
     const double size[3] = {s.x(), s.y(), s.z()};
-    size_->setText(tr("Size: %1").arg(size_text(size, unit, 5)));
+    size_->setText(
+        scale == 1
+            ? tr("Size: %1").arg(size_text(size, unit, 5))
+            : tr("Size: %1, scaled by %2").arg(size_text(size, unit, 5), text(format_number(scale, 6))));
     QString rows;
     const auto number = [&](double mm) {
         return text(format_number(std::abs(mm) < 1e-9 ? 0 : mm / mm_per(unit), 6));

@@ -20,6 +20,8 @@ class QVBoxLayout;
 
 namespace facetmill::ui {
 
+class PlaceValueRow;
+
 /// What is picked in the view.
 enum class PlacePick { none, face, points, edge, zero };
 
@@ -43,8 +45,9 @@ public:
     LyingOrder order() const;
     /// The face that is chosen in the list.
     std::optional<std::size_t> chosen() const;
-    /// Size and where it begins and ends; an empty box: there is no part.
-    void show_box(const Box3& box, LengthUnit unit);
+    /// Size and where it begins and ends; an empty box: there is no part. `scale`: of the file's numbers.
+    void show_box(const Box3& box, LengthUnit unit, double scale = 1);
+    PlaceValueRow* value_row() { return value_row_; }
     /// In the order of the list. `note` stands below it.
     void fill(const std::vector<LyingFace>& faces, LengthUnit unit, const QString& note);
     void show_zero(const ShownZero& zero);
@@ -61,6 +64,7 @@ signals:
     void turn_wanted(int axis, int quarters);
     void mirror_wanted(int axis);
     void square_wanted();
+    void principal_wanted();
     void drop_wanted();
     void centre_wanted();
     /// The zero on a box: from -1, its low side, to 1, its high side.
@@ -79,6 +83,7 @@ private:
     QComboBox* order_ = nullptr;
     QTreeWidget* list_ = nullptr;
     QPushButton* lay_ = nullptr;
+    PlaceValueRow* value_row_ = nullptr;
     std::vector<QToolButton*> picks_; ///< face, points, edge, zero
     QComboBox *zero_of_ = nullptr, *zero_level_ = nullptr;
     std::array<QToolButton*, 9> zero_spots_{}; ///< from low X to high X, the row of low Y first

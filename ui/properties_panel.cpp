@@ -176,6 +176,14 @@ std::vector<std::string> stock_form_keys(const StockSpec& stock, const StockSize
     return keys;
 }
 
+/// Empty where the part is as large as its file says.
+QString scale_text(const PartSpec& part) {
+    if (part.scale == 1) return {};
+    return PropertiesPanel::tr(
+               "The part is %1 times as large as its file says; cutters and tolerances are not.")
+        .arg(text(format_number(part.scale, 6)));
+}
+
 /// The keys that a form does not show because they say nothing of this kind.
 std::vector<std::string> all_but(const std::vector<std::string>& keys, const Parameterized& values) {
     std::vector<std::string> hidden;
@@ -412,6 +420,7 @@ void PropertiesPanel::refresh() {
         title = path_text(project.part_path().filename());
         PartSpec copy = project.part;
         show(ParameterView<PartSpec>(copy, part_parameters()), {}, {"file"});
+        hint = scale_text(copy);
     } else if (node_->kind == Kind::stock) {
         title = tr("Stock");
         StockSpec copy = project.stock;

@@ -19,6 +19,8 @@ public:
     virtual void release(const QPointF& at, Qt::KeyboardModifiers keys) = 0;
     /// False: it is a press like any other.
     virtual bool double_click(const QPointF& /*at*/) { return false; }
+    /// It would take a press there: the pointer tells.
+    virtual bool takes(const QPointF& /*at*/) const { return true; }
     /// What is drawn over the picture while the pointer is at a place.
     virtual void paint(QPainter& /*painter*/, const QPointF& /*pointer*/) {}
 };

@@ -66,6 +66,7 @@ Viewport::~Viewport() = default;
 SceneCanvas::Hand Viewport::hand() const {
     if (!drag_) return Hand::free;
     if (drag_.kind() == Drag::tool) return Hand::paints;
+    if (drag_.kind() == Drag::gizmo) return Hand::drags_view; // the part moves in it, coarse
     return drag_.kind() == Drag::handle || drag_.kind() == Drag::fixture ? Hand::drags_in_view
                                                                          : Hand::drags_view;
 }
@@ -159,6 +160,9 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
     if (tool_ && event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier)
         && tool_->press(event->position(), event->modifiers()))
         return drag_.begin(Drag::tool, event->position());
+    if (has_gizmo() && event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier)
+        && gizmo_->press(event->position(), event->modifiers()))
+        return drag_.begin(Drag::gizmo, event->position());
     drag_.begin(drag_of(*event), event->position());
     if (drag_.kind() != Drag::turn) return;
     if (const auto handle = handle_at(drag_.press())) {
@@ -193,12 +197,14 @@ Viewport::Drag Viewport::drag_of(const QMouseEvent& press) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    if (tool_) {
+    if (tool_ || has_gizmo()) {
         pointer_ = event->position();
         update();
     }
     if (drag_.kind() == Drag::tool && event->buttons() != Qt::NoButton)
         return tool_->drag(event->position(), event->modifiers());
+    if (drag_.kind() == Drag::gizmo && event->buttons() != Qt::NoButton)
+        return gizmo_->drag(event->position(), event->modifiers());
     const auto by = drag_.travel(*event);
     if (!drag_) return rest_.moved(event->position());
     if (!by) return;
@@ -225,6 +231,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         emit fixture_dragged(held_.index, held_by_);
         break;
     case Drag::tool:
+    case Drag::gizmo:
     case Drag::none:
         break;
     }
@@ -264,6 +271,7 @@ Vec3 Viewport::fixture_travel(const QPointF& to, bool upright) const {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const Drag was = drag_.end();
     if (was == Drag::tool) return tool_->release(event->position(), event->modifiers());
+    if (was == Drag::gizmo) return gizmo_->release(event->position(), event->modifiers());
     if (was == Drag::handle && drag_.moved()) emit handle_dropped(handle_from_, handle_to_);
     if (was == Drag::fixture && drag_.moved()) emit fixture_dropped(held_.index, held_by_);
     if (drag_.moved() || was == Drag::none) return;
@@ -314,12 +322,22 @@ void Viewport::set_tool(ViewTool* tool) {
     update();
 }
 
+void Viewport::set_gizmo(ViewTool* gizmo) {
+    if (gizmo == gizmo_) return;
+    if (drag_.kind() == Drag::gizmo) drag_.end();
+    gizmo_ = gizmo;
+    update();
+}
+
 void Viewport::paintEvent(QPaintEvent* event) {
     SceneCanvas::paintEvent(event);
-    if (!tool_ || !pointer_) return;
+    if (!(tool_ && pointer_) && !has_gizmo()) return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    tool_->paint(painter, *pointer_);
+    if (tool_)
+        tool_->paint(painter, *pointer_);
+    else
+        gizmo_->paint(painter, pointer_.value_or(QPointF(-1e6, -1e6)));
 }
 
 void Viewport::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
@@ -341,6 +359,8 @@ void Viewport::hover(const QPointF& at) {
     const QPointF p = device(at);
     if (picking_ || tool_)
         setCursor(Qt::CrossCursor);
+    else if (has_gizmo() && gizmo_->takes(at))
+        setCursor(Qt::SizeAllCursor);
     else if (const auto held = fixture_at(at);
              handle_at(at) || (held && scene().fixtures().chosen() == held->index))
         setCursor(Qt::SizeAllCursor);

@@ -37,6 +37,9 @@ public:
     /// The left button is the tool's, which lives until another one is set; null: it turns the view again.
     void set_tool(ViewTool* tool);
     const ViewTool* tool() const { return tool_; }
+    /// Handles over the picture, as long as no tool is set and no point is picked: a press that they do not
+    /// take is for the view. Null: none.
+    void set_gizmo(ViewTool* gizmo);
 
 signals:
     void camera_changed();
@@ -71,7 +74,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Drag { none, turn, move, zoom, handle, fixture, tool };
+    enum class Drag { none, turn, move, zoom, handle, fixture, tool, gizmo };
     static Drag drag_of(const QMouseEvent& press);
     void place_overlays();
     void turn(const QPointF& by);
@@ -88,8 +91,9 @@ private:
     PointerDrag<Drag> drag_{click_slack};
     PointerRest rest_{[this](const QPointF& at) { hover(at); }};
     bool picking_ = false;
-    ViewTool* tool_ = nullptr;
+    ViewTool *tool_ = nullptr, *gizmo_ = nullptr;
     std::optional<QPointF> pointer_; ///< where it is, for the tool
+    bool has_gizmo() const { return gizmo_ && !tool_ && !picking_; }
     Vec3 pivot_ = Vec3::Zero();
     Vec3 handle_from_ = Vec3::Zero(), handle_to_ = Vec3::Zero();
     SceneFixtures::Pick held_; ///< the fixture that is dragged, where it was taken

@@ -5,6 +5,8 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -31,6 +33,16 @@ void SceneActor::set_data(vtkPolyData* data, const Vec3& center) {
 void SceneActor::clear() {
     mapper->SetInputData(vtkSmartPointer<vtkPolyData>::New());
     filled = false;
+}
+
+void SceneActor::set_pose(const Mat3& turn, const Vec3& move) {
+    vtkNew<vtkMatrix4x4> pose;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k)
+            pose->SetElement(i, k, turn(i, k));
+        pose->SetElement(i, 3, move[i]);
+    }
+    actor->SetUserMatrix(pose);
 }
 
 void SceneActor::show(bool wanted) {

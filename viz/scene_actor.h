@@ -31,6 +31,8 @@ struct SceneActor {
 
     void set_data(vtkPolyData* data, const Vec3& center);
     void clear();
+    /// Every place p is seen at turn * p + move from now on.
+    void set_pose(const Mat3& turn, const Vec3& move);
     /// Where there is something and it is wanted.
     void show(bool wanted);
     bool shown() const;

@@ -32,6 +32,7 @@ void ScenePart::set(PartDisplayPtr part) {
     // The old arrays stay until the actors have the new ones.
     const PartDisplayPtr old = std::exchange(part_, std::move(part));
     is_new_ = true;
+    if (turn_ != Mat3::Identity() || move_ != Vec3::Zero()) set_pose(Mat3::Identity(), Vec3::Zero());
     if (!part_ || part_->triangles.empty()) {
         part_ = nullptr;
         surface_.set(stage_, {}, Vec3::Zero());
@@ -51,6 +52,26 @@ void ScenePart::set(PartDisplayPtr part) {
 
 void ScenePart::set(MeshPtr mesh) {
     set(mesh ? prepare_part_display(std::move(mesh), {}) : PartDisplayPtr());
+}
+
+void ScenePart::set_pose(const Mat3& turn, const Vec3& move) {
+    turn_ = turn;
+    move_ = move;
+    std::vector<SceneActor*> actors{&lines_, &preview_};
+    surface_.add_to(actors);
+    edges_.add_to(actors);
+    for (SceneActor* a : actors)
+        a->set_pose(turn, move);
+}
+
+Box3 ScenePart::posed_box() const {
+    if (turn_ == Mat3::Identity() && move_ == Vec3::Zero()) return part_->box;
+    const Vec3 half = turn_.cwiseAbs() * (0.5 * part_->box.size()),
+               middle = turn_ * part_->box.center() + move_;
+    Box3 box;
+    box.add(middle - half);
+    box.add(middle + half);
+    return box;
 }
 
 void ScenePart::set_style(PartStyle style) {
@@ -163,12 +184,12 @@ bool ScenePart::has_preview() const {
 }
 
 void ScenePart::add_bounds(Box3& box) const {
-    if (part_ && (stage_.on(Layer::part) || stage_.on(Layer::edges))) box.add(part_->box);
+    if (part_ && (stage_.on(Layer::part) || stage_.on(Layer::edges))) box.add(posed_box());
 }
 
 void ScenePart::add_known(KnownBoxes& known) const {
     if (!part_ || !(surface_.first.shown() || edges_.first.shown())) return;
-    known.box.add(part_->box);
+    known.box.add(posed_box());
     surface_.add_to(known.actors);
     edges_.add_to(known.actors);
     known.actors.push_back(lines_.actor);

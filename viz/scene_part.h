@@ -26,6 +26,9 @@ public:
     void set(PartDisplayPtr part);
     /// The same, prepared on this thread.
     void set(MeshPtr mesh);
+    /// Drawn at turn * p + move for every place p of it until another part is there; where it is picked
+    /// stays.
+    void set_pose(const Mat3& turn, const Vec3& move);
     void set_style(PartStyle style);
     PartStyle style() const { return style_; }
 
@@ -59,9 +62,12 @@ private:
     void add_heavy(HeavyActors& heavy) override;
     void add_legend(std::vector<LegendEntry>& entries, ShownSurface shown) const override;
     void rehearse(std::size_t k, SceneRehearsal& rehearsal) override;
+    Box3 posed_box() const;
     bool shows_back(ShownSurface shown) const; ///< part of the surface turns its back to the eye
 
     PartDisplayPtr part_;
+    Mat3 turn_ = Mat3::Identity(); ///< see set_pose
+    Vec3 move_ = Vec3::Zero();
     PartStyle style_ = PartStyle::smooth;
     bool is_new_ = false; ///< since the last picture in steps
     ScenePieces surface_, edges_;

@@ -14,9 +14,12 @@
 #include "ui/viewport.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -306,6 +309,134 @@ private slots:
         dock()->hide();
         QVERIFY(wait_until_settled(w()));
         QVERIFY(!zero.mark());
+    }
+
+    void principal_axes_and_typed_values() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        press("place_principal");
+        QVERIFY((part().size() - Vec3(60, 40, 20)).norm() < 1e-4);
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part by its principal axes"));
+        auto* kind = w().findChild<QComboBox*>(QStringLiteral("place_value_kind"));
+        auto* value = w().findChild<QDoubleSpinBox*>(QStringLiteral("place_value"));
+        const auto choose = [&](int which) {
+            kind->setCurrentIndex(which);
+            emit kind->activated(which);
+        };
+        choose(2); // about Z
+        const Vec3 middle = part().center();
+        value->setFocus();
+        value->selectAll();
+        QTest::keyClicks(value, QStringLiteral("30"));
+        QTest::keyClick(value, Qt::Key_Return);
+        QVERIFY(wait_until_settled(w()));
+        const double c = std::cos(radians(30)), s = std::sin(radians(30));
+        QVERIFY((part().size() - Vec3(60 * c + 40 * s, 60 * s + 40 * c, 20)).norm() < 1e-4);
+        QVERIFY((part().center() - middle).norm() < 1e-4);
+        value->setValue(-30);
+        press("place_value_apply");
+        QVERIFY((part().size() - Vec3(60, 40, 20)).norm() < 1e-4);
+        choose(5); // along Z
+        value->setValue(12.5);
+        press("place_value_apply");
+        QVERIFY((part().center() - middle - Vec3(0, 0, 12.5)).norm() < 1e-4);
+        const Vec3 low(part().center().x(), part().center().y(), part().lo.z());
+        choose(6);
+        value->setValue(1.5);
+        press("place_value_apply");
+        QVERIFY((part().size() - Vec3(90, 60, 30)).norm() < 1e-4);
+        QVERIFY((Vec3(part().center().x(), part().center().y(), part().lo.z()) - low).norm() < 1e-4);
+        QCOMPARE(w().document().project().part.scale, 1.5);
+        QVERIFY(label("place_size").contains(QStringLiteral("scaled by 1.5")));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("90")));
+        shot(w(), QStringLiteral("place-scaled"));
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY((part().size() - Vec3(60, 40, 20)).norm() < 1e-4);
+        QVERIFY(!label("place_size").contains(QStringLiteral("scaled")));
+        choose(0);
+        value->setValue(0);
+        const int count = w().document().undo_stack().index();
+        press("place_value_apply");
+        QCOMPARE(w().document().undo_stack().index(), count);
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("so already")));
+    }
+
+    /// By rings and arrows: drawn as it will be while it is dragged, one step when it is let go.
+    void rings_and_arrows_are_dragged() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        press("place_principal");
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        auto& viewport = w().viewport();
+        ui::PlaceGizmo& gizmo = *w().controllers().place().gizmo();
+        const auto drag = [&](const QPointF& from, const QPointF& to, Qt::KeyboardModifiers keys) {
+            QTest::mousePress(&viewport, Qt::LeftButton, keys, from.toPoint());
+            QTest::mouseMove(&viewport, ((from + to) / 2).toPoint());
+            QMouseEvent move(QEvent::MouseMove, QPointF(to.toPoint()), viewport.mapToGlobal(to.toPoint()),
+                             Qt::NoButton, Qt::LeftButton, keys);
+            QApplication::sendEvent(&viewport, &move);
+        };
+        const auto release = [&](const QPointF& at, Qt::KeyboardModifiers keys) {
+            QTest::mouseRelease(&viewport, Qt::LeftButton, keys, at.toPoint());
+            return wait_until_settled(w());
+        };
+        using Change = ui::PlaceChange;
+        const auto ring = [&](double share) { return gizmo.place_of(Change::turn, 2, share); };
+        const int count = w().document().undo_stack().index();
+        const Vec3 middle = part().center();
+        const QImage before = view_picture(w());
+        drag(ring(0.1), ring(0.2), Qt::ShiftModifier);
+        QVERIFY(gizmo.dragging());
+        QVERIFY(wait_until_settled(w()) || true);                 // the button is down
+        QVERIFY(changed_pixels(before, view_picture(w())) > 500); // the part itself is seen turned
+        shot(w(), QStringLiteral("place-ring"));
+        auto* value = w().findChild<QDoubleSpinBox*>(QStringLiteral("place_value"));
+        QCOMPARE(value->value(), 35.0); // 36 in round steps
+        QCOMPARE(w().document().undo_stack().index(), count);
+        QVERIFY(release(ring(0.2), Qt::ShiftModifier));
+        QCOMPARE(w().document().undo_stack().index(), count + 1);
+        const double c = std::cos(radians(35)), s = std::sin(radians(35));
+        QVERIFY2((part().size() - Vec3(60 * c + 40 * s, 60 * s + 40 * c, 20)).norm() < 1e-3,
+                 qPrintable(QString::number(part().size().x())));
+        QVERIFY((part().center() - middle).norm() < 1e-3);
+        QVERIFY(w().viewport().scene().part().pick(0, 0) == std::nullopt);
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        // Esc puts it back.
+        drag(ring(0.1), ring(0.3), {});
+        QVERIFY(gizmo.dragging());
+        QTest::keyClick(&viewport, Qt::Key_Escape);
+        QVERIFY(!gizmo.dragging());
+        QVERIFY(release(ring(0.3), {}));
+        QCOMPARE(w().document().undo_stack().index(), count);
+        QVERIFY((part().size() - Vec3(60, 40, 20)).norm() < 1e-4);
+        // An arrow, seen from the side; more than half a turn of a ring that is seen from there.
+        w().viewport().set_view(StandardView::front);
+        QVERIFY(wait_until_settled(w()));
+        const QPointF tip = gizmo.place_of(Change::move, 2);
+        const double mm_per_point = viewport.scene().camera().pixel_size() * viewport.devicePixelRatioF();
+        drag(tip - QPointF(0, -4), tip - QPointF(0, 36), Qt::ShiftModifier);
+        QVERIFY(gizmo.dragging());
+        QVERIFY(release(tip - QPointF(0, 36), Qt::ShiftModifier));
+        const double up = part().center().z() - middle.z();
+        QVERIFY2(std::abs(up - std::round(40 * mm_per_point)) < 1e-3 && up > 1,
+                 qPrintable(QString::number(up)));
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Move part along Z"));
+        // A press beside them turns the view as ever, and without the panel there are none.
+        const Vec3 sight = viewport.sight();
+        drag(QPointF(30, 30), QPointF(60, 60), {});
+        QVERIFY(!gizmo.dragging());
+        QVERIFY(release(QPointF(60, 60), {}));
+        QVERIFY((viewport.sight() - sight).norm() > 0.01);
+        dock()->hide();
+        QVERIFY(wait_until_settled(w()));
+        viewport.set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        drag(ring(0.1), ring(0.2), {});
+        QVERIFY(!gizmo.dragging());
+        QVERIFY(release(ring(0.2), {}));
     }
 
 private:

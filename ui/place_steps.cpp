@@ -1,0 +1,121 @@
+#include "ui/place_steps.h"
+
+#include "core/setup/lying.h"
+#include "ui/messages.h"
+#include "ui/text.h"
+#include "ui/viewport.h"
+
+#include <Eigen/Geometry>
+
+namespace facetmill::ui {
+
+PlaceSteps::PlaceSteps(Document& document, Viewport& viewport, Messages& messages, QObject* parent)
+    : QObject(parent), document_(document), viewport_(viewport), messages_(messages) {}
+
+const Mesh* PlaceSteps::mesh() const {
+    return document_.part_is_current() ? document_.part()->mesh.get() : nullptr;
+}
+
+bool PlaceSteps::lay(const QString& what, const Mat3& turn) {
+    const Mesh* m = mesh();
+    return m && change(what, laid(placement_of(document_.project().placed_part()), *m, turn));
+}
+
+void PlaceSteps::mirror(int axis) {
+    if (const Mesh* m = mesh())
+        change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
+               mirrored(placement_of(document_.project().placed_part()), axis, m->box().center()[axis]));
+}
+
+void PlaceSteps::drop_to_zero() {
+    if (const Mesh* m = mesh())
+        change(tr("Drop part to Z 0"),
+               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -m->box().lo.z())));
+}
+
+void PlaceSteps::centre() {
+    const Mesh* m = mesh();
+    if (!m) return;
+    const Vec3 middle = m->box().center();
+    change(tr("Centre part"),
+           moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)));
+}
+
+void PlaceSteps::lay_by_principal_axes() {
+    const Mesh* m = mesh();
+    if (!m) return;
+    try {
+        lay(tr("Lay part by its principal axes"), turn_to_principal(*m));
+    } catch (const Error& e) {
+        tell(e);
+    }
+}
+
+std::pair<Mat3, Vec3> PlaceSteps::motion(const Box3& box, PlaceChange what, int axis, double value) {
+    if (what == PlaceChange::move) return {Mat3::Identity(), value * Vec3::Unit(axis)};
+    const Mat3 turn = Eigen::AngleAxisd(value, Vec3::Unit(axis)).toRotationMatrix();
+    return {turn, box.center() - turn * box.center()};
+}
+
+bool PlaceSteps::apply(PlaceChange what, int axis, double value) {
+    const Mesh* m = mesh();
+    if (!m) return false;
+    if (what == PlaceChange::scale) return scale(value);
+    const Placement now = placement_of(document_.project().placed_part());
+    const QChar letter(u'X' + char16_t(axis));
+    if (what == PlaceChange::move)
+        return change(tr("Move part along %1").arg(letter), moved(now, value * Vec3::Unit(axis)));
+    const Box3 box = m->box();
+    return change(tr("Turn part about %1").arg(letter),
+                  turned(now, motion(box, what, axis, value).first, box.center()));
+}
+
+bool PlaceSteps::scale(double factor) {
+    const Box3 box = mesh()->box();
+    const Placement now = placement_of(document_.project().placed_part());
+    // A point p comes to factor * (p - t) + t; the middle and the lowest point are to stay.
+    const Vec3 t(now.translate[0], now.translate[1], now.translate[2]);
+    const Vec3 kept(box.center().x(), box.center().y(), box.lo.z());
+    const Vec3 by = kept - (factor * (kept - t) + t);
+    if (!change(tr("Scale part by %1").arg(text(format_number(factor, 6))), moved(now, by), factor))
+        return false;
+    const Vec3 size = factor * box.size();
+    const double three[3] = {size.x(), size.y(), size.z()};
+    messages_.warning(
+        tr("The part is %1 now, no longer as large as its file says. Cutters, allowances and tolerances stay "
+           "as they are.")
+            .arg(size_text(three, document_.unit(), 5)));
+    return true;
+}
+
+void PlaceSteps::tell(const Error& e) {
+    messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
+}
+
+bool PlaceSteps::change(const QString& what, const Placement& placement, double factor) {
+    if (factor == 1 && placement == placement_of(document_.project().placed_part())) {
+        messages_.information(tr("The part lies so already."));
+        return false;
+    }
+    viewport_.scene().marks().set_marker(std::nullopt);
+    try {
+        document_.change(what, [&](Project& p) {
+            lay_part(p, placement);
+            p.part.scale *= factor;
+            // Numbers that no file can hold are refused.
+            ParameterView<PartSpec> part(p.part, part_parameters());
+            ParameterView<SetupPlace> place(p.place, place_parameters());
+            part.set("scale", part.get("scale"));
+            for (Parameterized* values :
+                 {static_cast<Parameterized*>(&part), static_cast<Parameterized*>(&place)})
+                for (const char* key : {"rotate", "translate"})
+                    values->set(key, values->get(key));
+        });
+    } catch (const Error& e) {
+        tell(e);
+        return false;
+    }
+    return true;
+}
+
+} // namespace facetmill::ui

@@ -1,0 +1,42 @@
+// Changes of how the part lies, each one step of the history.
+#pragma once
+
+#include "core/setup/placement.h"
+#include "ui/document.h"
+#include "ui/place_value.h"
+
+namespace facetmill::ui {
+
+class Messages;
+class Viewport;
+
+class PlaceSteps : public QObject {
+    Q_OBJECT
+public:
+    PlaceSteps(Document& document, Viewport& viewport, Messages& messages, QObject* parent);
+
+    /// The part as it stands, where the project says that it does; null while it is read anew.
+    const Mesh* mesh() const;
+    /// Turned, the middle of its box over the same place and its lowest point on Z 0. False: nothing changed.
+    bool lay(const QString& what, const Mat3& turn);
+    void mirror(int axis);
+    void drop_to_zero();
+    void centre();
+    /// By principal axes; says why where it has none.
+    void lay_by_principal_axes();
+    /// About the middle of its box by radians, along an axis by mm, or by a factor. False: nothing changed.
+    bool apply(PlaceChange what, int axis, double value);
+    /// What `apply` would make of a place, without a change of the project.
+    static std::pair<Mat3, Vec3> motion(const Box3& box, PlaceChange what, int axis, double value);
+
+private:
+    bool scale(double factor);
+    bool change(const QString& what, const Placement& placement, double factor = 1);
+    void tell(const Error& error);
+
+    Document& document_;
+    Viewport& viewport_;
+    Messages& messages_;
+};
+
+} // namespace facetmill::ui
