@@ -40,6 +40,7 @@ enum class Icon {
     align_edge,
     square_up,
     principal_axes,
+    hole,
     quarter_turn,
     quarter_back,
     mirror,

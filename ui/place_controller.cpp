@@ -2,6 +2,7 @@
 
 #include "core/job/work_zero.h"
 #include "core/mesh/flat_face.h"
+#include "core/mesh/round_face.h"
 #include "ui/camera_flight.h"
 #include "ui/messages.h"
 #include "ui/point_picker.h"
@@ -93,13 +94,14 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
     });
     connect(&viewport_, &Viewport::point_picked, this,
             [this](const std::optional<PartPick>& pick, Qt::KeyboardModifiers) { take(pick); });
-    connect(&job_, &BackgroundJob::ended, this, &PlaceController::settled);
+    for (BackgroundJob* job : {&job_, &hole_job_})
+        connect(job, &BackgroundJob::ended, this, &PlaceController::settled);
 }
 
 PlaceController::~PlaceController() = default;
 
 bool PlaceController::busy() const {
-    return job_.running() || flight_->flying();
+    return job_.running() || hole_job_.running() || flight_->flying();
 }
 
 void PlaceController::project_opened() {
@@ -182,6 +184,34 @@ void PlaceController::take_zero(const PartPick& pick) {
     });
 }
 
+/// Looked for beside the window: of a large part it takes a while.
+void PlaceController::take_hole(const PartPick& pick) {
+    auto found = std::make_shared<RoundFace>();
+    const std::string key = Document::part_key(document_.project());
+    leave();
+    hole_job_.start(
+        tr("Looking for a hole"),
+        [found, pick, part = document_.part()](const Progress& progress) {
+            *found = round_face(*part->mesh, Index(pick.facet), pick.point, progress);
+        },
+        [this, found, key](const JobEnd& end) {
+            if (end.how == JobEnd::How::cancelled || !mesh()
+                || key != Document::part_key(document_.project()))
+                return;
+            if (!end.done()) return messages_.warning(sentence(end.message));
+            const Vec3& at = found->center;
+            change_zero([&](ProgramSpec& spec) {
+                spec.zero_from = ProgramSpec::ZeroFrom::origin;
+                spec.zero = {at.x(), at.y(), at.z()};
+            });
+            const LengthUnit unit = document_.unit();
+            messages_.information(tr("The zero is on the axis of a %1 of Ø %2, which is round to %3.")
+                                      .arg(found->hole ? tr("hole") : tr("boss"),
+                                           shown_length(2 * found->radius, unit, 6),
+                                           shown_length(found->uneven, unit, 2)));
+        });
+}
+
 void PlaceController::find_faces() {
     if (!seen_ || !mesh()) {
         if (!listed_.empty()) {
@@ -253,8 +283,11 @@ void PlaceController::pick(PlacePick what) {
     picking_ = what;
     viewport_.set_picking(true);
     const QString wanted =
-        what == PlacePick::zero   ? tr("Click a point of the part for the work zero; a corner nearby is "
-                                         "taken exactly. Esc leaves it.")
+        what == PlacePick::hole
+            ? tr("Click into a round hole, on a boss, or beside a hole on its flat face. Esc "
+                 "leaves it.")
+        : what == PlacePick::zero ? tr("Click a point of the part for the work zero; a corner nearby is "
+                                       "taken exactly. Esc leaves it.")
         : what == PlacePick::face ? tr("Click the flat face that the part is to lie on. Esc leaves it.")
         : what == PlacePick::points
             ? tr("Click three points of the part, one after the other, that are to be "
@@ -287,6 +320,8 @@ void PlaceController::take(const std::optional<PartPick>& pick) {
             take_point(*pick);
         else if (picking_ == PlacePick::zero)
             take_zero(*pick);
+        else if (picking_ == PlacePick::hole)
+            take_hole(*pick);
         else
             take_edge(*pick);
     } catch (const Error& e) {

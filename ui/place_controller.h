@@ -47,6 +47,7 @@ private:
     void show_zero();
     void change_zero(const std::function<void(ProgramSpec&)>& edit);
     void take_zero(const PartPick& pick);
+    void take_hole(const PartPick& pick);
     void find_faces();
     void show_chosen();
     void lay_chosen();
@@ -68,9 +69,9 @@ private:
     std::string listed_; ///< says what the list was, or is being, made from
     std::vector<LyingFace> faces_;
     PlacePick picking_ = PlacePick::none;
-    std::vector<Vec3> points_; ///< picked so far
-    Box3 box_;                 ///< of the part that the view was fitted to
-    BackgroundJob job_;        // last: it ends first
+    std::vector<Vec3> points_;     ///< picked so far
+    Box3 box_;                     ///< of the part that the view was fitted to
+    BackgroundJob job_, hole_job_; // last: they end first
 };
 
 } // namespace facetmill::ui

@@ -270,11 +270,19 @@ void PlacePanel::build_zero(QVBoxLayout* column) {
     connect(pick, &QToolButton::clicked, this,
             [this](bool on) { emit pick_wanted(on ? PlacePick::zero : PlacePick::none); });
     picks_.push_back(pick);
+    QToolButton* hole = button(flow, Icon::hole, tr("In a hole"),
+                               tr("Click into a round hole, on a boss, or beside a hole on its flat face: "
+                                  "the zero comes to its axis, at its upper end"),
+                               "zero_hole");
+    hole->setCheckable(true);
+    connect(hole, &QToolButton::clicked, this,
+            [this](bool on) { emit pick_wanted(on ? PlacePick::hole : PlacePick::none); });
+    picks_.push_back(hole);
     QToolButton* origin =
         button(flow, Icon::reset, tr("Part's origin"),
                tr("Programs count from the origin of the part's coordinates"), "zero_origin");
     connect(origin, &QToolButton::clicked, this, &PlacePanel::zero_origin_wanted);
-    for (QToolButton* b : {pick, origin}) {
+    for (QToolButton* b : {pick, hole, origin}) {
         buttons->addWidget(b);
         of_part_.push_back(b);
     }

@@ -23,7 +23,7 @@ namespace facetmill::ui {
 class PlaceValueRow;
 
 /// What is picked in the view.
-enum class PlacePick { none, face, points, edge, zero };
+enum class PlacePick { none, face, points, edge, zero, hole };
 
 /// What the buttons of the work zero show.
 struct ShownZero {
@@ -84,7 +84,7 @@ private:
     QTreeWidget* list_ = nullptr;
     QPushButton* lay_ = nullptr;
     PlaceValueRow* value_row_ = nullptr;
-    std::vector<QToolButton*> picks_; ///< face, points, edge, zero
+    std::vector<QToolButton*> picks_; ///< face, points, edge, zero, hole
     QComboBox *zero_of_ = nullptr, *zero_level_ = nullptr;
     std::array<QToolButton*, 9> zero_spots_{}; ///< from low X to high X, the row of low Y first
     QLabel* zero_text_ = nullptr;

@@ -8,6 +8,7 @@
 #include "ui/message_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/place_controller.h"
+#include "ui/project_files.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
@@ -360,6 +361,59 @@ private slots:
         press("place_value_apply");
         QCOMPARE(w().document().undo_stack().index(), count);
         QVERIFY(w().message_bar().message().contains(QStringLiteral("so already")));
+    }
+
+    /// Into a hole, beside it, and where there is none.
+    void the_zero_comes_to_a_hole() {
+        // A plate of 40 x 30 x 8 with a hole of Ø 12 about (25, 14).
+        Mesh plate;
+        constexpr Index sides = 64;
+        for (const double z : {0.0, 8.0})
+            for (Index k = 0; k < sides; ++k) {
+                const double angle = 2 * pi * (k + 0.5) / sides, c = std::cos(angle), s = std::sin(angle);
+                plate.vertices.emplace_back(25 + 6 * c, 14 + 6 * s, z);
+                // Out to the border, in the same direction.
+                const double x = c > 0 ? (40 - 25) / c : -25 / c, y = s > 0 ? (30 - 14) / s : -14 / s;
+                plate.vertices.emplace_back(25 + std::min(x, y) * c, 14 + std::min(x, y) * s, z);
+            }
+        for (Index k = 0; k < sides; ++k) {
+            const Index a = 2 * k, b = 2 * ((k + 1) % sides), up = 2 * sides;
+            for (const Facet& f :
+                 {Facet{a, b, b + 1}, Facet{a, b + 1, a + 1}, Facet{a + up, b + up + 1, b + up},
+                  Facet{a + up, a + up + 1, b + up + 1}, Facet{a, a + up, b + up}, Facet{a, b + up, b},
+                  Facet{a + 1, b + 1, b + up + 1}, Facet{a + 1, b + up + 1, a + up + 1}})
+                plate.facets.push_back(f);
+        }
+        const QString file = scratch_folder(QStringLiteral("hole")) + QStringLiteral("/plate.stl");
+        save_stl(plate, file.toStdString(), LengthUnit::mm, {});
+        QVERIFY(w().files().save_to(file + QStringLiteral(".facetmill"))); // or it asks
+        w().open_file(file, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        const auto zero = [&] {
+            const auto& z = w().document().project().programs.zero;
+            return Vec3(z[0], z[1], z[2]);
+        };
+        for (const Vec3& at : {Vec3(25, 20, 6), Vec3(25 + 4.6 * std::sqrt(2), 14 + 4.6 * std::sqrt(2), 8)}) {
+            press("zero_hole");
+            QVERIFY(tool_button("zero_hole")->isChecked());
+            QVERIFY(click_at(at));
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY2((zero() - Vec3(25, 14, 8)).norm() < 1e-4, qPrintable(w().message_bar().message()));
+            QVERIFY(w().document().project().programs.zero_from == ProgramSpec::ZeroFrom::origin);
+            QVERIFY(w().message_bar().message().contains(QStringLiteral("hole of Ø 12")));
+            QVERIFY(!tool_button("zero_hole")->isChecked());
+            shot(w(), QStringLiteral("place-hole"));
+            w().document().undo_stack().undo();
+            QVERIFY(wait_until_settled(w()));
+            QCOMPARE(zero(), Vec3(0, 0, 0));
+        }
+        press("zero_hole");
+        QVERIFY(click_at(Vec3(20, 0, 3))); // the plate's side
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(zero(), Vec3(0, 0, 0));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("round")));
     }
 
     /// By rings and arrows: drawn as it will be while it is dragged, one step when it is let go.
