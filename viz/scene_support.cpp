@@ -3,6 +3,7 @@
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
 
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 namespace facetmill {
@@ -13,7 +14,7 @@ SceneSupport::SceneSupport(SceneStage& stage) : SceneLayer(stage) {
         a->unlit();
     }
     face_.property()->SetOpacity(0.55);
-    face_.nearer(34);
+    face_.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -34); // it lies in the part's own
     lines_.nearer(42);
 }
 

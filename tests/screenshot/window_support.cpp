@@ -148,7 +148,11 @@ void answer_file_dialog(bool& asked, const QString& file) {
             QTest::keyClicks(name, file);
         }
         if (!dialog || !dialog->isVisible()) return timer->deleteLater(); // it has taken the answer
-        // Nothing can be opened until the dialog has seen by itself what lies in the folder.
+        // What completes the name may have changed it. Nothing can be opened until the dialog has seen by
+        // itself what lies in the folder.
+        if (auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            name && name->text() != file)
+            name->setText(file);
         auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
         QPushButton* open = buttons ? buttons->button(QDialogButtonBox::Open) : nullptr;
         if (open && open->isEnabled()) QTest::mouseClick(open, Qt::LeftButton);
