@@ -23,6 +23,8 @@ namespace {
 
 /// Length of the axes at the work zero, as a share of the part's size.
 constexpr double zero_axis_share = 0.15;
+/// How round a hole is, is told no finer (mm).
+constexpr double told_uneven = 1e-4;
 
 /// A side of a facet of a face beyond which there is no other facet of it.
 struct Side {
@@ -208,7 +210,7 @@ void PlaceController::take_hole(const PartPick& pick) {
             messages_.information(tr("The zero is on the axis of a %1 of Ø %2, which is round to %3.")
                                       .arg(found->hole ? tr("hole") : tr("boss"),
                                            shown_length(2 * found->radius, unit, 6),
-                                           shown_length(found->uneven, unit, 2)));
+                                           shown_length(std::max(found->uneven, told_uneven), unit, 2)));
         });
 }
 

@@ -176,7 +176,7 @@ void PlacePanel::build_turns(QVBoxLayout* column) {
             of_part_.push_back(b);
         }
     column->addLayout(grid);
-    column->addWidget(section(tr("By a value, or by the handles in the view"), this));
+    column->addWidget(section(tr("By a value"), this));
     value_row_ = new PlaceValueRow(this);
     of_part_.push_back(value_row_);
     column->addWidget(value_row_);

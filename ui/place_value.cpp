@@ -30,18 +30,22 @@ PlaceValueRow::PlaceValueRow(QWidget* parent) : QWidget(parent) {
     kind_->addItems({tr("Turn about X"), tr("Turn about Y"), tr("Turn about Z"), tr("Move along X"),
                      tr("Move along Y"), tr("Move along Z"), tr("Scale by")});
     kind_->setCurrentIndex(2);
-    kind_->setToolTip(tr("Turns are by the right hand about the middle of the part's box. Scaling keeps that "
-                         "and the lowest point; cutters and tolerances stay as they are."));
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    kind_->setMinimumContentsLength(7);
+    kind_->setToolTip(
+        tr("Turns are by the right hand about the middle of the part's box. Rings and "
+           "arrows in the view do the same by the mouse, with Shift in round steps. Scaling keeps that "
+           "and the lowest point; cutters and tolerances stay as they are."));
     value_ = new QDoubleSpinBox(this);
     value_->setObjectName(QStringLiteral("place_value"));
     value_->setKeyboardTracking(false);
-    value_->setMinimumWidth(70);
+    value_->setMinimumWidth(60);
     apply_ = new QToolButton(this);
     apply_->setObjectName(QStringLiteral("place_value_apply"));
     apply_->setText(tr("Apply"));
     apply_->setToolTip(tr("Enter in the field does the same"));
     apply_->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(kind_);
+    row->addWidget(kind_, 1);
     row->addWidget(value_, 1);
     row->addWidget(apply_);
     connect(kind_, &QComboBox::activated, this, &PlaceValueRow::show_kind);

@@ -4,6 +4,7 @@
 #include "ui/boundary_menu.h"
 #include "ui/fixture_list.h"
 #include "ui/fixture_menu.h"
+#include "ui/operation_list.h"
 #include "ui/project_items.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
@@ -454,6 +455,9 @@ void ProjectTree::menu(const QPoint& at) {
     if (node && node->kind == TreeNode::Kind::operation) {
         menu.addAction(icon(Icon::plan), tr("Plan this operation"), this,
                        [this, i = node->index] { emit plan_operation(i); });
+        if (has_tool_axis(document_, node->index))
+            menu.addAction(tr("Same tool axis for all operations"), this,
+                           [this, i = node->index] { share_tool_axis(document_, i); });
         menu.addSeparator();
     }
     if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);

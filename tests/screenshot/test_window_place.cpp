@@ -6,6 +6,7 @@
 #include "ui/controllers.h"
 #include "ui/layer_bar.h"
 #include "ui/message_bar.h"
+#include "ui/operation_list.h"
 #include "ui/parameter_form.h"
 #include "ui/place_controller.h"
 #include "ui/project_files.h"
@@ -156,7 +157,26 @@ private slots:
         QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Pick tool axis"));
         // The machine that is set has no rotary axes, which the form says beside the field.
         QVERIFY(error_under(w(), "tool_axis").contains(QStringLiteral("machine")));
-        action(w(), "undo")->trigger();
+        // The others of the setup get it by one step; those that turn the tool by themselves have none.
+        w().document().add_operation("rough");
+        w().document().add_operation("finish5");
+        const std::size_t count = w().document().operation_count();
+        std::vector<std::size_t> with;
+        for (std::size_t i = 0; i < count; ++i)
+            if (ui::has_tool_axis(w().document(), i)) with.push_back(i);
+        QVERIFY(count == 3 && with.size() == 2);
+        const std::size_t source = with.back();
+        w().document().change(QStringLiteral("Upright"), [&](Project& p) {
+            p.operations[with.front()]->set("tool_axis", std::array<double, 3>{0, 0, 1});
+        });
+        QVERIFY(w().document().operation(source).is_indexed());
+        QCOMPARE(ui::share_tool_axis(w().document(), source), std::size_t(1));
+        for (std::size_t i = 0; i < count; ++i)
+            if (ui::has_tool_axis(w().document(), i))
+                QVERIFY((w().document().operation(i).tool_axis() - face).norm() < 1e-5);
+        QCOMPARE(ui::share_tool_axis(w().document(), source), std::size_t(0)); // no step
+        for (int k = 0; k < 5; ++k) // that, upright, two operations, the axis
+            w().document().undo_stack().undo();
         QVERIFY(axis() == (std::array<double, 3>{0, 0, 1}));
     }
 
