@@ -27,7 +27,8 @@ public:
     RoughLinker(const StrategyResult& path, const PlanContext& context, double allowance,
                 const LinkOptions& options, const Progress& progress)
         : path_(path), options_(options), progress_(progress), profile_(context.tool.cutter()),
-          cutter_(profile_), bodies_(context.tool, profile_.max_radius()), up_(context.tool),
+          cutter_(profile_), bodies_(context.tool, profile_, path.as<RoughPath>()->depth_max),
+          up_(context.tool),
           field_(stock_before(context, path.as<RoughPath>()->stock_cell, progress.part(0, 0.1))),
           // Links keep from the part what cuts keep.
           reach_(context.contact, context, allowance + context.tessellation_tolerance[1],

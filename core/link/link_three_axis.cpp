@@ -42,7 +42,7 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
 class DescentOver {
 public:
     DescentOver(const PlanContext& context, const LinkOptions& options, const Progress& progress)
-        : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_.max_radius()),
+        : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_, 0),
           clearance_(std::min(options.clearance, near_share * profile_.max_radius())), up_(context.tool) {
         if (context.stock.box.empty() && context.earlier.empty()) return;
         field_ = stock_before(context, cell_share * profile_.max_radius(), progress);

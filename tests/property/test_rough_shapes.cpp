@@ -386,6 +386,49 @@ private slots:
             qPrintable(QString("%1 collisions, the first %2").arg(judged.collisions.size()).arg(deepest)));
     }
 
+    /// A ball or a taper with short flutes is slimmer, a layer higher, than where its shank begins: what it
+    /// leaves there is in the way of a shank a little slimmer, as wide, or a little wider than its top.
+    void the_shank_meets_no_cusps_of_layers() {
+        const Mesh part = rounded_block(Vec2(3, 3), 1, 0, 10);
+        for (const double taper : {0.0, 0.023})
+            for (const double wider : {-0.11, -0.03, 0.0, 0.06})
+                for (const bool stated : {true, false}) {
+                    Tool tool = ball_tool(6);
+                    tool.taper_angle = taper;
+                    tool.flute_length = 4.5;
+                    const double top = 2 * CutterProfile(tool.cutter()).max_radius();
+                    tool.shank_diameter = top + wider;
+                    tool.shank_length = 40;
+                    RoughSettings s;
+                    s.allowance = 0.4;
+                    s.tolerance = 1;
+                    if (stated) s.depth = {2.25, {}};
+                    PlanContext context = context_of(part, tool);
+                    context.stock_box.lo -= Vec3(3, 3, 0);
+                    context.stock_box.hi += Vec3(3, 3, 1);
+                    context.stock.box = context.stock_box;
+                    const Rough op(s);
+                    const auto motions = std::make_shared<ToolMotions>(
+                        link_operation(op, op.plan(context, Progress()), context, Progress()));
+                    const VerifyProgram program{"R", VerifyTool(tool), motions, {}};
+                    VerifySettings v;
+                    v.resolution = v.sample_spacing = 0.2;
+                    v.allowance = s.allowance;
+                    v.gouge_limit = 1e-3;
+                    const Verification judged = verify(part, context.stock, {&program, 1}, v, Progress());
+                    QVERIFY(!judged.gouged());
+                    const double deepest = judged.collisions.empty() ? 0 : judged.collisions.front().depth;
+                    QVERIFY2(judged.collisions.empty(),
+                             qPrintable(QString("taper %1, shank %2 wider, depth %3: %4 collisions, the "
+                                                "first %5")
+                                            .arg(taper)
+                                            .arg(wider)
+                                            .arg(stated)
+                                            .arg(judged.collisions.size())
+                                            .arg(deepest)));
+                }
+    }
+
     /// A larger ball leaves a skin on the upright ends of a sheet, thinner than is worth a cut: the shank of
     /// the next tool, as thick as its flutes, comes by there.
     void the_shank_meets_no_skin_that_was_left() {

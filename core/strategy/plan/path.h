@@ -49,6 +49,7 @@ const char* unreached_name(UnreachedRegion::Why why);
 struct RoughPath {
     std::vector<double> layers; ///< tip heights, mm
     double stock_cell = 0;      ///< size of the cells of the stock it planned with, mm
+    double depth_max = 0;       ///< of the layers that were planned, mm
 };
 
 /// Leads that the tool takes, radians; none where the range is empty.

@@ -96,7 +96,7 @@ Planner::Planner(const RoughSettings& settings, const PlanContext& context, cons
                                                                 : context.contact,
              context, settings.offset == RoughSettings::Offset::vertices ? 0 : measures_.allowance,
              measures_.margin, heights_.low),
-      bodies_(context.tool, measures_.profile.max_radius()),
+      bodies_(context.tool, measures_.profile, heights_.layers.depth_max),
       cut_(settings, measures_, reach_, bodies_, cutter_, field_, progress) {}
 
 /// Along the longer side there are fewer ends of lines.
@@ -126,6 +126,7 @@ StrategyResult Planner::run() {
     result_.stepover_max = measures_.stepover;
     result_.chord_tolerance = measures_.margin;
     rough_.stock_cell = field_.cell();
+    rough_.depth_max = heights_.layers.depth_max;
     check_passes(progress_.part(0.92, 0.94, "Checking passes"));
     look_for_remaining(progress_.part(0.94, 1, "Looking for what stays"));
     add_warnings();

@@ -41,14 +41,20 @@ double length_of(const std::vector<Vec2>& route) {
 
 } // namespace
 
-UprightBodies::UprightBodies(const Tool& tool, double cutter_radius) {
+UprightBodies::UprightBodies(const Tool& tool, const CutterProfile& profile, double deepest) {
     double base = tool.flute_length;
+    // What stands above the flutes the layer above has cut, lower on the cutter by its depth: a ball or a
+    // taper is slimmer there.
+    const double left = profile.radius_at(std::max(0.0, std::min(base, profile.height()) - deepest));
+    const auto within = [](double radius, double limit) {
+        return radius <= limit * (1 + tolerance::figure_rounding);
+    };
     const auto add = [&](double diameter, double length) {
         if (diameter > 0 && length > 0) {
-            bodies_.push_back(
-                {0.5 * diameter, base, 0.5 * diameter <= cutter_radius * (1 + tolerance::figure_rounding)});
+            const double radius = 0.5 * diameter;
+            bodies_.push_back({radius, base, within(radius, profile.max_radius()), within(radius, left)});
             lowest_ = std::min(lowest_, base);
-            if (bodies_.back().inside) sliding_ = std::min(sliding_, base);
+            if (bodies_.back().slides) sliding_ = std::min(sliding_, base);
         }
         base += std::max(length, 0.0);
     };
@@ -73,10 +79,10 @@ double UprightBodies::widest() const {
 
 bool UprightBodies::clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const {
     for (const Body& body : bodies_) {
-        // A shank as thick as its cutter slides along what the cutter has cut, and cells that the wall
+        // A shank as thick as its cutter slides along what the layers above have cut, and cells that the wall
         // crosses stand high: only cells that are wholly under it count.
         const double inset = field.cell() * std::numbers::sqrt2;
-        const double radius = body.inside ? body.radius - inset : body.radius;
+        const double radius = body.slides ? body.radius - inset : body.radius;
         if (radius > 0 && field.highest_near(a, b, radius, z + body.base) > z + body.base) return false;
     }
     return true;
@@ -96,7 +102,9 @@ bool RoughEntry::begin_free(RoughRoute& route, double z) const {
         const Vec2 p = route.points.front() + (i / n) * most / out.norm() * out;
         if (!stands_free(p, z)) continue;
         RoughReach::Hints hints;
-        if (!reach_.is_free(p, route.points.front(), z, hints)) return false;
+        if (!reach_.is_free(p, route.points.front(), z, hints)
+            || !bodies_.clear(field_, p, route.points.front(), z))
+            return false;
         route.points.insert(route.points.begin(), p);
         return true;
     }

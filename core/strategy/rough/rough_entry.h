@@ -13,7 +13,8 @@ namespace facetmill {
 /// Shank and holder as upright cylinders over the tip.
 class UprightBodies {
 public:
-    explicit UprightBodies(const Tool& tool, double cutter_radius);
+    /// `deepest`: how far apart the layers are, at most, that the tool cuts one below the other.
+    UprightBodies(const Tool& tool, const CutterProfile& profile, double deepest);
 
     /// Highest place over the tip's level that is allowed to stand where nothing is asked further.
     double lowest_base() const { return lowest_; }
@@ -30,6 +31,7 @@ private:
     struct Body {
         double radius, base;
         bool inside; ///< the cutter's own radius or less: it stands where the cutter came down
+        bool slides; ///< no wider than what the layer above has cut as high as the shank begins
     };
     std::vector<Body> bodies_;
     double lowest_ = infinity, sliding_ = infinity;

@@ -19,6 +19,8 @@ constexpr double stepover_share = 0.95;
 constexpr double min_share = 2e-3;
 /// The margin is at most this share of the tolerance, and what is too little to be cut at most that.
 constexpr double margin_of_tolerance = 0.05, min_of_tolerance = 0.1;
+/// Layers are made no thinner than this, in diameters, for the shank to slide by what they leave.
+constexpr double min_for_shank = 0.1;
 /// Lines on floors are at most so many times closer than others.
 constexpr int max_divisions = 64;
 
@@ -46,6 +48,19 @@ void check_depth(const RoughSettings& settings, const PlanContext& context) {
                     "layers of " + text(depth) + " are deeper than the flutes of the tool, "
                         + text(context.tool.flute_length),
                     "choose a smaller depth or a longer tool");
+}
+
+/// How deep layers may be for what one of them leaves of a wall to be out of the way of the shank, which the
+/// next one brings there: where the shank begins the cutter must be as wide on the layer above. Infinite
+/// where that is asked of no layer, or where they would be too thin.
+double depth_for_shank(const PlanContext& context, const RoughMeasures& measures, double height) {
+    const Tool& tool = context.tool;
+    const double radius = 0.5 * tool.shank_diameter, widest = measures.profile.max_radius();
+    if (!(tool.shank_length > 0) || height <= tool.flute_length
+        || radius > widest * (1 + tolerance::figure_rounding))
+        return infinity;
+    const double depth = tool.flute_length - measures.profile.height_at(std::min(radius, widest));
+    return depth < min_for_shank * measures.diameter ? infinity : depth;
 }
 
 double lowest_tip(const PlanContext& context, const StockField& field) {
@@ -103,7 +118,8 @@ RoughHeights::RoughHeights(const RoughSettings& settings, const PlanContext& con
         // The floor between lines takes a share of what may stay, the layers have the rest: few lines make
         // many layers, many lines few. Cheapest is what makes the least length of lines.
         input.excess = measures.budget - 2 * measures.margin - measures.min_work;
-        input.deepest = std::min(context.tool.flute_length, measures.diameter);
+        input.deepest = std::min({context.tool.flute_length, measures.diameter,
+                                  depth_for_shank(context, measures, input.top - input.low)});
         double best = infinity;
         for (int m = 1; m <= max_divisions; ++m) {
             const double rest = input.excess - measures.profile.height_at(0.5 * measures.stepover / m);
