@@ -109,8 +109,12 @@ private:
     /// Out of the cut at feed, the rest in a rapid.
     void up_to(double z) {
         // A pass along a wall is nearer to it than links keep, all the way up: that alone asks for no feed.
+        // Beside a slim shank stock may stand above the flutes, where nothing was cut yet.
+        const Vec2 p = at_.head<2>();
         const double from =
-            up_.is_free(field_, at_) ? at_.z() : std::max(at_.z(), reach_.tip_z(at_.head<2>(), hints_));
+            up_.is_free(field_, at_)
+                ? at_.z()
+                : std::max({at_.z(), reach_.tip_z(p, hints_), field_.clear_height(cutter_, p, p)});
         const double out = from + std::min(options_.clearance, profile_.max_radius());
         if (z > at_.z()) feed(MotionKind::retract, Vec3(at_.x(), at_.y(), std::min(z, out)));
         if (z > at_.z()) rapid(Vec3(at_.x(), at_.y(), z));

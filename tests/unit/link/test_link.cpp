@@ -200,6 +200,28 @@ private slots:
         }
     }
 
+    /// Nor through stock that no pass has cut above the flutes, where the part itself lies low.
+    void roughing_comes_up_beside_stock_at_feed() {
+        Tool tool = flat_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 4;
+        tool.shank_length = 30;
+        PlanContext context = context_of(box(Vec3(-30, -20, -5), Vec3(30, 20, 0)), tool);
+        context.stock_box = context.part_box;
+        context.stock_box.hi.z() = 12;
+        context.stock.box = context.stock_box;
+        StrategyResult path;
+        path.chord_tolerance = 0.01;
+        RoughPath rough;
+        rough.stock_cell = 0.3;
+        path.detail = rough;
+        path.passes = {pass({Vec3(-35, 3, 1), Vec3(10, 3, 1)})};
+        const ToolMotions all = link_rough(path, context, 0, near_options(0), Progress());
+        const auto out = std::ranges::find(all.motions, MotionKind::retract, &Motion::kind);
+        QVERIFY(out != all.motions.end());
+        QVERIFY2(out->to.tip.z() >= 12, qPrintable(QString::number(out->to.tip.z())));
+    }
+
     void a_link_climbs_over_what_stands_between() {
         // A rib of height 2 along y = 3.
         const Mesh m = height_field([](double, double y) { return std::abs(y - 3) < 0.5 ? 2.0 : 0.0; },
