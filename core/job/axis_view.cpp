@@ -43,8 +43,12 @@ std::optional<FixtureSolid> table_below(const Project& project, const Operation&
     slab.size = {stock.size().x() + 2 * beside, stock.size().y() + 2 * beside, beside};
     slab.translate = {stock.center().x(), stock.center().y(),
                       table_height(stock, operation) - table_clearance - beside};
-    return FixtureSolid{slab.name, std::make_shared<Mesh>(fixture_mesh(slab)),
-                        std::make_shared<Mesh>(fixture_mesh(slab, table_clearance)), table_clearance};
+    return FixtureSolid{slab.name,
+                        std::make_shared<Mesh>(fixture_mesh(slab)),
+                        std::make_shared<Mesh>(fixture_mesh(slab, table_clearance)),
+                        table_clearance,
+                        false,
+                        true};
 }
 
 Vec3 middle_bottom(const Box3& box) {

@@ -18,17 +18,31 @@ std::string text_of(const Boundary& boundary) {
     return Key().add_up_to(Stage::output, boundary, boundary_parameters()).text();
 }
 
+/// "the fixture 'Clamp'", "the tabs 'A', 'B', 'C' and 2 more"; empty for none.
+std::string named(const std::vector<std::string>& names, const std::string& one, const std::string& several) {
+    if (names.empty()) return {};
+    std::string text = (names.size() == 1 ? one : several) + " ";
+    for (std::size_t i = 0; i < names.size() && i < max_named; ++i)
+        text += (i > 0 ? ", '" : "'") + printable(names[i], 60) + "'";
+    if (names.size() > max_named) text += " and " + std::to_string(names.size() - max_named) + " more";
+    return text;
+}
+
 /// Names and smallest clearance of a setup's fixtures.
 KeptFixtures kept_fixtures(const PreparedPart& part, const ContactIndexPtr& grown) {
     KeptFixtures kept{grown, infinity, {}};
     if (!part.fixtures) return kept;
-    const std::vector<FixtureSolid>& all = *part.fixtures;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        kept.clearance = std::min(kept.clearance, all[i].clearance);
-        if (i < max_named) kept.names += (i > 0 ? ", '" : "'") + printable(all[i].name, 60) + "'";
+    std::vector<std::string> fixtures, tabs;
+    bool table = false;
+    for (const FixtureSolid& f : *part.fixtures) {
+        kept.clearance = std::min(kept.clearance, f.clearance);
+        table = table || f.table;
+        if (!f.table) (f.tab ? tabs : fixtures).push_back(f.name);
     }
-    if (all.size() > max_named) kept.names += " and " + std::to_string(all.size() - max_named) + " more";
-    kept.names = (all.size() == 1 ? "the fixture " : "the fixtures ") + kept.names;
+    for (const std::string& words :
+         {named(fixtures, "the fixture", "the fixtures"), named(tabs, "the tab", "the tabs"),
+          std::string(table ? "what holds the stock from below" : "")})
+        if (!words.empty()) kept.names += (kept.names.empty() ? "" : " or ") + words;
     return kept;
 }
 

@@ -47,7 +47,8 @@ struct FixtureSolid {
     MeshPtr mesh;  ///< closed
     MeshPtr grown; ///< holds all that is nearer to it than the clearance
     double clearance = 0;
-    bool tab = false; ///< of the stock: it is not cut, and to touch it is no collision
+    bool tab = false;   ///< of the stock: it is not cut, and to touch it is no collision
+    bool table = false; ///< what holds the stock below a tilted tool: the project has no name for it
 };
 
 } // namespace facetmill

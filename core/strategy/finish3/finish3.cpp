@@ -139,7 +139,7 @@ StrategyResult Planner::run(double direction) {
     domain_.emplace(*context_.part, frame_, cover_, allowance_, still(placed(0)));
     if (domain_->empty())
         throw Error(ErrorCode::empty_result, settings_.name,
-                    "no facet of the part can be cut from above: all "
+                    std::string("no facet of the part can be cut ") + context_.seen_from() + ": all "
                         + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
                     "rotate the part");
     field_ = {&lift_, domain_->lowest_tip()};

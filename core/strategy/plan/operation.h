@@ -76,6 +76,10 @@ struct PlanContext {
     /// What planners of layers keep the tool within; null: everywhere. Passes of others are cut to it.
     std::shared_ptr<const KeptWithin> within;
 
+    /// "from above", or for an axis of the operation's own "along the tool axis".
+    const char* seen_from() const {
+        return to_setup == Mat3::Identity() ? "from above" : "along the tool axis";
+    }
     /// Box of part and fixtures.
     Box3 kept_off_box() const {
         Box3 box = part_box;

@@ -304,9 +304,9 @@ void Planner::look_for_remaining(const Progress& progress) {
     if (found.out_of_reach > 0)
         result_.warnings.push_back("the tool is too large for hollows of the part: over "
                                    + share_text(double(found.out_of_reach), double(found.places))
-                                   + " of it, seen from above, up to " + text_(found.beyond + inner)
-                                   + " stays above the allowance, most at " + text_(found.beyond_at)
-                                   + ": rough again there with a smaller tool");
+                                   + " of it, seen " + context_.seen_from() + ", up to "
+                                   + text_(found.beyond + inner) + " stays above the allowance, most at "
+                                   + text_(found.beyond_at) + ": rough again there with a smaller tool");
 }
 
 void Planner::add_warnings() {
