@@ -26,8 +26,8 @@ JudgedChain judge_chain(std::span<const SetupPlan> setups,
                         std::span<const std::vector<VerifyProgram>> programs, const VerifySettings& settings,
                         const Progress& progress);
 
-/// What the setups' controls will run (programs_to_judge) is judged; findings name motions of the plans. Throws
-/// what that and verify do, within "setup 'Bottom'".
+/// What the setups' controls will run (programs_to_judge) is judged; findings name motions of the plans.
+/// Throws what that and verify do, within "setup 'Bottom'".
 JudgedChain judge_posted_chain(std::span<const SetupPlan> setups, const VerifySettings& settings,
                                const Progress& progress);
 

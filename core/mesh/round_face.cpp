@@ -167,8 +167,7 @@ bool is_round(const std::vector<Vec3>& points, const Cylinder& c, RoundFace& tol
         told.uneven = std::max(told.uneven, std::abs(off));
     }
     told.around = angle_around(points, c);
-    return std::sqrt(squares / double(points.size())) <= round_share * c.radius
-           && told.around >= min_around;
+    return std::sqrt(squares / double(points.size())) <= round_share * c.radius && told.around >= min_around;
 }
 
 /// The end of a wall that is told, by height; of a level one that which is nearer to a place.
