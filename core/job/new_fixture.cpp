@@ -154,6 +154,7 @@ std::vector<BorderPlace> far_apart(std::vector<BorderPlace> places, std::size_t 
     for (const BorderPlace& p : places)
         middle += p.at / double(places.size());
     std::vector<double> distance;
+    distance.reserve(places.size());
     for (const BorderPlace& p : places)
         distance.push_back((p.at - middle).norm());
     while (chosen.size() < count) {

@@ -71,7 +71,7 @@ std::optional<Vec3> axis_across(const Mesh& mesh, const std::vector<Index>& face
         sum += mesh.facet_cross(f).norm() * n * n.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(sum);
-    const Vec3 values = solver.eigenvalues();
+    const Vec3& values = solver.eigenvalues();
     if (!(values[1] - values[0] > spread * values[2])) return std::nullopt;
     return Vec3(solver.eigenvectors().col(0));
 }
@@ -81,6 +81,7 @@ std::vector<Vec3> corners_of(const Mesh& mesh, const std::vector<Index>& facets)
     for (const Index f : facets)
         corners.insert(mesh.facets[f].begin(), mesh.facets[f].end());
     std::vector<Vec3> points;
+    points.reserve(corners.size());
     for (const Index v : corners)
         points.push_back(mesh.vertices[v]);
     return points;
@@ -146,6 +147,7 @@ Cylinder fitted(const std::vector<Vec3>& points, Cylinder c, bool held) {
 double angle_around(const std::vector<Vec3>& points, const Cylinder& c) {
     const Vec3 u = c.axis.unitOrthogonal(), v = c.axis.cross(u);
     std::vector<double> angles;
+    angles.reserve(points.size());
     for (const Vec3& p : points)
         angles.push_back(std::atan2((p - c.center).dot(v), (p - c.center).dot(u)));
     std::sort(angles.begin(), angles.end());

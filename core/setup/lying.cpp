@@ -392,8 +392,8 @@ Mat3 turn_along(const Vec3& direction, int axis) {
 Mat3 turn_to_principal(const Mesh& mesh) {
     constexpr double alike = 1e-3; // of the largest moment
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(surface_moments(mesh));
-    const Vec3 moments = solver.eigenvalues(); // ascending
-    const Mat3 axes = solver.eigenvectors();
+    const Vec3& moments = solver.eigenvalues(); // ascending
+    const Mat3& axes = solver.eigenvectors();
     const bool short_two = moments[1] - moments[0] <= alike * moments[2],
                long_two = moments[2] - moments[1] <= alike * moments[2];
     if (short_two && long_two)
