@@ -2,6 +2,7 @@
 
 #include "core/job/work_zero.h"
 #include "core/mesh/flat_face.h"
+#include "core/mesh/refine.h"
 #include "core/mesh/round_face.h"
 #include "ui/camera_flight.h"
 #include "ui/messages.h"
@@ -14,7 +15,6 @@
 #include <QTreeWidget>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace facetmill::ui {
@@ -25,27 +25,6 @@ namespace {
 constexpr double zero_axis_share = 0.15;
 /// How round a hole is, is told no finer (mm).
 constexpr double told_uneven = 1e-4;
-
-/// A side of a facet of a face beyond which there is no other facet of it.
-struct Side {
-    Vec3 from, to;
-    double distance(const Vec3& p) const {
-        const Vec3 along = to - from;
-        const double t = std::clamp((p - from).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-        return (from + t * along - p).norm();
-    }
-};
-
-std::vector<Side> outline_of(const Mesh& mesh, const std::vector<Index>& face) {
-    std::map<std::pair<Index, Index>, int> sides;
-    for (const Index f : face)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++sides[std::minmax(mesh.facets[f][k], mesh.facets[f][(k + 1) % 3])];
-    std::vector<Side> outline;
-    for (const auto& [side, count] : sides)
-        if (count == 1) outline.push_back({mesh.vertices[side.first], mesh.vertices[side.second]});
-    return outline;
-}
 
 } // namespace
 
@@ -365,12 +344,11 @@ void PlaceController::take_point(const PartPick& pick) {
 }
 
 void PlaceController::take_edge(const PartPick& pick) {
-    const std::vector<Side> sides = outline_of(*mesh(), flat_face(*mesh(), Index(pick.facet)));
-    const auto nearest = std::min_element(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
-        return a.distance(pick.point) < b.distance(pick.point);
-    });
-    if (nearest == sides.end()) return;
-    const Mat3 turn = turn_along_x(nearest->to - nearest->from);
+    const auto outline = border_loops(part_of(*mesh(), flat_face(*mesh(), Index(pick.facet))).mesh);
+    const auto side = nearest_side(outline, pick.point);
+    if (!side) return;
+    const std::vector<Vec3>& loop = outline[side->loop];
+    const Mat3 turn = turn_along_x(loop[(side->corner + 1) % loop.size()] - loop[side->corner]);
     leave();
     steps_->lay(tr("Align edge with X"), turn);
 }

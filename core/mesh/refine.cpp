@@ -4,6 +4,7 @@
 #include "core/base/plane_geometry.h"
 #include "core/mesh/index_pair.h"
 #include "core/mesh/topology.h"
+#include "core/mesh/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -241,6 +242,19 @@ std::vector<std::vector<Vec3>> border_loops(const Mesh& mesh) {
         }
     }
     return loops;
+}
+
+std::optional<LoopSide> nearest_side(const std::vector<std::vector<Vec3>>& loops, const Vec3& p) {
+    std::optional<LoopSide> nearest;
+    double least = infinity;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+        for (std::size_t i = 0; i < loops[l].size(); ++i)
+            if (const double d = squared_distance(p, loops[l][i], loops[l][(i + 1) % loops[l].size()]);
+                d < least) {
+                least = d;
+                nearest = {l, i};
+            }
+    return nearest;
 }
 
 std::vector<Vec3> carried_normals(const DerivedMesh& derived, std::span<const Vec3> source) {

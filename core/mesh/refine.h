@@ -10,6 +10,7 @@
 #include "core/mesh/mesh.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,13 @@ std::vector<std::size_t> connected_pieces(const Mesh& mesh, std::span<const Inde
 /// that touch at a vertex are parted there. Facets that no half-edge structure holds (topology.h) count as
 /// missing.
 std::vector<std::vector<Vec3>> border_loops(const Mesh& mesh);
+
+/// The side of closed curves that is nearest to a place: from its corner `corner` of curve `loop` to the next
+/// one. None where there are no curves.
+struct LoopSide {
+    std::size_t loop = 0, corner = 0;
+};
+std::optional<LoopSide> nearest_side(const std::vector<std::vector<Vec3>>& loops, const Vec3& p);
 
 /// Curvatures of all vertices of `derived`: those of the source, between them those of the shape operator in
 /// between, in the plane of `normals`. Where one of the two is not known, the other.

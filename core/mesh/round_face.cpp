@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/flat_face.h"
+#include "core/mesh/refine.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -280,51 +279,15 @@ private:
     Neighbours neighbours_;
 };
 
-/// Loops of corners that go round facets.
-std::vector<std::vector<Vec3>> rims_of(const Mesh& mesh, const std::vector<Index>& facets) {
-    std::map<std::pair<Index, Index>, int> sides;
-    for (const Index f : facets)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++sides[std::minmax(mesh.facets[f][k], mesh.facets[f][(k + 1) % 3])];
-    std::multimap<Index, Index> next;
-    for (const Index f : facets)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Index a = mesh.facets[f][k], b = mesh.facets[f][(k + 1) % 3];
-            if (sides[std::minmax(a, b)] == 1) next.emplace(a, b);
-        }
-    std::vector<std::vector<Vec3>> rims;
-    while (!next.empty()) {
-        std::vector<Vec3> rim;
-        for (auto it = next.begin(); it != next.end();) {
-            const Index to = it->second;
-            rim.push_back(mesh.vertices[it->first]);
-            next.erase(it);
-            it = next.find(to);
-        }
-        rims.push_back(std::move(rim));
-    }
-    return rims;
-}
-
 std::optional<RoundFace> rim_near(const Mesh& mesh, Index facet, const Vec3& near) {
     RoundFace face;
     face.facets = flat_face(mesh, facet);
     face.axis = mesh.facet_normal(facet);
     if (face.axis == Vec3::Zero()) return std::nullopt;
-    std::vector<Vec3> nearest;
-    double least = infinity;
-    for (std::vector<Vec3>& rim : rims_of(mesh, face.facets)) {
-        double distance = infinity;
-        for (std::size_t i = 0; i < rim.size(); ++i) {
-            const Vec3 &a = rim[i], along = rim[(i + 1) % rim.size()] - a;
-            const double t =
-                std::clamp((near - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-            distance = std::min(distance, (a + t * along - near).norm());
-        }
-        if (distance >= least) continue;
-        least = distance;
-        nearest = std::move(rim);
-    }
+    const std::vector<std::vector<Vec3>> rims = border_loops(part_of(mesh, face.facets).mesh);
+    const auto side = nearest_side(rims, near);
+    if (!side) return std::nullopt;
+    const std::vector<Vec3>& nearest = rims[side->loop];
     if (nearest.size() < 8) return std::nullopt;
     const Cylinder c = fitted(nearest, circle_about(nearest, face.axis), true);
     if (!is_round(nearest, c, face) || face.around < 2 * pi) return std::nullopt;
