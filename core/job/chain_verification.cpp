@@ -69,18 +69,17 @@ JudgedChain judge_posted_chain(std::span<const SetupPlan> setups, const VerifySe
     const double n = double(setups.size());
     for (std::size_t k = 0; k < setups.size(); ++k) {
         const SetupPlan& setup = setups[k];
+        const std::string place = "setup '" + printable(setup.project.name) + "'";
         try {
             PostedPrograms own = programs_to_judge(
                 setup.project, setup.plan, progress.part(0.1 * double(k) / n, 0.1 * double(k + 1) / n));
-            stand_fixtures(own.programs, *setup.plan->part);
             own.planned.resize(own.programs.size());
             std::move(own.planned.begin(), own.planned.end(), std::back_inserter(all.planned));
             all.blocks += own.blocks;
-            if (!own.remark.empty())
-                remarks.push_back("Setup '" + printable(setup.project.name) + "': " + own.remark);
+            if (!own.remark.empty()) remarks.push_back("S" + place.substr(1) + ": " + own.remark);
             programs.push_back(std::move(own.programs));
         } catch (const Error& e) {
-            throw e.within("setup '" + printable(setup.project.name) + "'");
+            throw e.within(place);
         }
     }
     JudgedChain chain = judge_chain(setups, programs, settings, progress.part(0.1, 1));
