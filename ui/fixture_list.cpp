@@ -11,9 +11,7 @@ std::size_t add_fixture(Document& document, NewFixture what) {
     if (!document.part_is_current()) return at;
     const StockSolid stock = stock_solid(project.stock, *document.part());
     const Box3& box = stock.box.empty() ? document.part()->box : stock.box;
-    const std::vector<Fixture> made =
-        what == NewFixture::tabs ? new_tabs(project, *document.part()->mesh, box, usual_tabs, Progress())
-                                 : new_fixtures(project, what, box);
+    const std::vector<Fixture> made = new_fixtures(project, what, *document.part()->mesh, box);
     if (made.empty())
         throw Error(ErrorCode::empty_result, "tabs", "nowhere is the part's outline straight and free enough",
                     "add a box, choose the kind \"tab\" and move it to its place");

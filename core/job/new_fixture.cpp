@@ -63,44 +63,6 @@ std::string free_fixture_name(const Project& project, const std::string& wish) {
     });
 }
 
-std::vector<Fixture> new_fixtures(const Project& project, NewFixture what, const Box3& stock) {
-    const FixtureMaker make(project);
-    const Vec3 size = stock.size(), middle = stock.center();
-    switch (what) {
-    case NewFixture::vice: {
-        const Vec3 jaw(1.2 * size.x(), jaw_width * size.y(), jaw_height * size.z());
-        const double half = 0.5 * make.round(jaw.y());
-        return {make.box("Front jaw", jaw, {middle.x(), stock.lo.y() - half, stock.lo.z()}),
-                make.box("Rear jaw", jaw, {middle.x(), stock.hi.y() + half, stock.lo.z()})};
-    }
-    case NewFixture::clamp: {
-        const Vec3 strap(strap_length * size.x(), strap_width * size.y(),
-                         std::max(strap_height * size.x(), 0.2 * size.z()));
-        const double beside = 0.5 * make.round(strap.x()) - strap_reach * size.x();
-        return {make.box("Clamp", strap, {stock.lo.x() - beside, middle.y(), stock.hi.z()})};
-    }
-    case NewFixture::plate: {
-        const double margin = plate_margin * std::max(size.x(), size.y());
-        const Vec3 plate(size.x() + 2 * margin, size.y() + 2 * margin,
-                         plate_height * std::min(size.x(), size.y()));
-        return {make.box("Plate", plate, {middle.x(), middle.y(), stock.lo.z() - make.round(plate.z())})};
-    }
-    case NewFixture::box: {
-        const Vec3 block = block_share * size;
-        return {
-            make.box("Block", block, {stock.hi.x() + 0.5 * make.round(block.x()), middle.y(), stock.lo.z()})};
-    }
-    case NewFixture::tabs:
-        break; // new_tabs: they are fitted to the part
-    case NewFixture::cylinder: {
-        const double diameter = bolt_diameter * std::min(size.x(), size.y());
-        return {make.cylinder("Bolt", diameter, size.z(),
-                              {stock.hi.x() + 0.5 * make.round(diameter), middle.y(), stock.lo.z()})};
-    }
-    }
-    return {};
-}
-
 namespace {
 
 /// A place on the border of a region, and away from it.
@@ -147,7 +109,7 @@ std::vector<BorderPlace> places_for_tabs(const PlanRegion& region, double width,
 
 /// So many of them that are far from one another: each the farthest from those before it, and the first from
 /// the middle of all; then each to the middle of the places that are nearest to it, and not at their end.
-std::vector<BorderPlace> far_apart(std::vector<BorderPlace> places, std::size_t count) {
+std::vector<BorderPlace> far_apart(const std::vector<BorderPlace>& places, std::size_t count) {
     std::vector<BorderPlace> chosen;
     if (places.empty()) return chosen;
     Vec2 middle = Vec2::Zero();
@@ -231,6 +193,45 @@ std::vector<Fixture> new_tabs(const Project& project, const Mesh& part, const Bo
         tabs.push_back(std::move(tab));
     }
     return tabs;
+}
+
+std::vector<Fixture> new_fixtures(const Project& project, NewFixture what, const Mesh& part,
+                                  const Box3& stock) {
+    const FixtureMaker make(project);
+    const Vec3 size = stock.size(), middle = stock.center();
+    switch (what) {
+    case NewFixture::vice: {
+        const Vec3 jaw(1.2 * size.x(), jaw_width * size.y(), jaw_height * size.z());
+        const double half = 0.5 * make.round(jaw.y());
+        return {make.box("Front jaw", jaw, {middle.x(), stock.lo.y() - half, stock.lo.z()}),
+                make.box("Rear jaw", jaw, {middle.x(), stock.hi.y() + half, stock.lo.z()})};
+    }
+    case NewFixture::clamp: {
+        const Vec3 strap(strap_length * size.x(), strap_width * size.y(),
+                         std::max(strap_height * size.x(), 0.2 * size.z()));
+        const double beside = 0.5 * make.round(strap.x()) - strap_reach * size.x();
+        return {make.box("Clamp", strap, {stock.lo.x() - beside, middle.y(), stock.hi.z()})};
+    }
+    case NewFixture::plate: {
+        const double margin = plate_margin * std::max(size.x(), size.y());
+        const Vec3 plate(size.x() + 2 * margin, size.y() + 2 * margin,
+                         plate_height * std::min(size.x(), size.y()));
+        return {make.box("Plate", plate, {middle.x(), middle.y(), stock.lo.z() - make.round(plate.z())})};
+    }
+    case NewFixture::box: {
+        const Vec3 block = block_share * size;
+        return {
+            make.box("Block", block, {stock.hi.x() + 0.5 * make.round(block.x()), middle.y(), stock.lo.z()})};
+    }
+    case NewFixture::tabs:
+        return new_tabs(project, part, stock, usual_tabs, Progress());
+    case NewFixture::cylinder: {
+        const double diameter = bolt_diameter * std::min(size.x(), size.y());
+        return {make.cylinder("Bolt", diameter, size.z(),
+                              {stock.hi.x() + 0.5 * make.round(diameter), middle.y(), stock.lo.z()})};
+    }
+    }
+    return {};
 }
 
 } // namespace facetmill

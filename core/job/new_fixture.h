@@ -15,12 +15,13 @@ enum class NewFixture {
     plate,    ///< under the stock, larger than it
     box,      ///< beside the stock
     cylinder, ///< a bolt beside the stock
-    tabs,     ///< see new_tabs
+    tabs,     ///< new_tabs, as many as usual
 };
 
-/// One or two fixtures round a stock that has this box, with names that the chosen setup has not; sizes are
-/// round numbers of the project's unit.
-std::vector<Fixture> new_fixtures(const Project& project, NewFixture what, const Box3& stock);
+/// Fixtures round a stock that has this box, with names that the chosen setup has not; sizes are round
+/// numbers of the project's unit. None where the part has no places for tabs (new_tabs).
+std::vector<Fixture> new_fixtures(const Project& project, NewFixture what, const Mesh& part,
+                                  const Box3& stock);
 /// How many tabs a part gets.
 inline constexpr std::size_t usual_tabs = 4;
 /// Tabs round a part that is cut out of its stock: at its bottom, across its outline there, where that is
