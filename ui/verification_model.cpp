@@ -110,15 +110,7 @@ const JudgedSetup* VerificationModel::shown_setup() const {
 bool VerificationModel::covers_all() const {
     if (!outcome_) return false;
     const Project& project = document_.project();
-    // Setups that go on with what others leave are one job with them.
-    std::size_t first = chosen_setup(project), last = first + 1;
-    const auto goes_on = [&](std::size_t i) {
-        return setup_at(project, i).stock.kind == StockSpec::Kind::rest;
-    };
-    while (first > 0 && goes_on(first))
-        --first;
-    while (last < setup_count(project) && goes_on(last))
-        ++last;
+    const auto [first, last] = setups_of_stock(project, chosen_setup(project));
     return outcome_->setups.size() == last - first;
 }
 

@@ -69,13 +69,6 @@ bool goes_on(const Setup& setup) {
     return setup.stock.kind == StockSpec::Kind::rest;
 }
 
-/// The first setup of the chain that a setup is in.
-std::size_t chain_begin(const Project& project, std::size_t setup) {
-    while (setup > 0 && goes_on(setup_at(project, setup)))
-        --setup;
-    return setup;
-}
-
 std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view,
                                             const std::string& only_operation, const Progress& progress) {
     auto plan = planner.plan(view, only_operation, progress);
@@ -104,7 +97,7 @@ std::vector<SetupPlan> plan_setups(const Project& project, const std::string& on
     if (n > 1 && !only_operation.empty()) {
         check_known(project, only_operation);
         last = setup_of_operation(project, only_operation) + 1;
-        first = chain_begin(project, last - 1);
+        first = setups_of_stock(project, last - 1).first;
     }
     std::vector<SetupPlan> setups;
     for (std::size_t i = first; i < last; ++i) {
@@ -142,6 +135,15 @@ std::shared_ptr<const CarriedStock> stock_before(const Project& project, SetupPl
     earlier.after.clear();
     const std::vector<SetupPlan> setups = plan_setups(earlier, {}, planners, progress.part(0, 0.8), plan);
     return carried_stock(stock_chains(setups).back(), project, progress.part(0.8, 1));
+}
+
+SetupRange setups_of_stock(const Project& project, std::size_t setup) {
+    SetupRange range{setup, setup + 1};
+    while (range.first > 0 && goes_on(setup_at(project, range.first)))
+        --range.first;
+    while (range.last < setup_count(project) && goes_on(setup_at(project, range.last)))
+        ++range.last;
+    return range;
 }
 
 std::vector<std::span<const SetupPlan>> stock_chains(std::span<const SetupPlan> setups) {

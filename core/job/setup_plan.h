@@ -50,6 +50,11 @@ std::vector<SetupPlan> plan_setups(const Project& project, const std::string& on
 std::shared_ptr<const CarriedStock> stock_before(const Project& project, SetupPlanners& planners,
                                                  const Progress& progress, const PlanSetup& plan = {});
 
+/// The setups that cut one stock with this one: from `first` to before `last`, in machining order.
+struct SetupRange {
+    std::size_t first = 0, last = 0;
+};
+SetupRange setups_of_stock(const Project& project, std::size_t setup);
 /// The setups that cut one stock, each chain in machining order.
 std::vector<std::span<const SetupPlan>> stock_chains(std::span<const SetupPlan> setups);
 
