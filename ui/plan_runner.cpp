@@ -15,9 +15,9 @@ namespace facetmill::ui {
 /// One planning job: what it plans from, and what it came to.
 struct PlanRunner::Work {
     Project project;
-    std::vector<std::size_t> wanted; ///< places of the operations
-    std::vector<int> ids;            ///< their ids in the document
-    SetupResults setups;             ///< of those before it
+    std::vector<std::size_t> wanted;    ///< places of the operations
+    std::vector<int> ids;               ///< their ids in the document
+    std::optional<SetupResults> before; ///< what is planned of others, where their stock is asked for
     std::vector<OperationOutcome> outcomes;
     LoadedPart part; ///< only when the part had to be read again
     bool read_part = false;
@@ -60,14 +60,15 @@ void PlanRunner::plan(std::optional<std::size_t> only) {
         messages_.warning(tr("There is no operation to plan: add one below the project tree."));
         return;
     }
-    auto work =
-        std::make_shared<Work>(Work{document_.project(), {}, {}, SetupResults(document_), {}, {}, false});
+    auto work = std::make_shared<Work>();
+    work->project = document_.project();
     for (std::size_t i = 0; i < document_.operation_count(); ++i)
         if (!only || *only == i) {
             work->wanted.push_back(i);
             work->ids.push_back(document_.operation_id(i));
         }
     work->read_part = !document_.part_is_current() || !document_.has_stock();
+    if (work->read_part && work->project.stock.kind == StockSpec::Kind::rest) work->before.emplace(document_);
     std::vector<std::string> names;
     for (const std::size_t i : work->wanted)
         names.push_back(work->project.operations[i]->common().name);
@@ -89,9 +90,9 @@ void PlanRunner::run(Work& work, Planner& planner, SetupPlanners& earlier, const
     double from = 0;
     if (work.read_part) {
         // A setup that goes on with the rest of another one needs the plan of that.
-        if (work.project.stock.kind == StockSpec::Kind::rest) {
+        if (work.before) {
             check_project(work.project);
-            auto rest = stock_before(work.project, earlier, progress.part(0, 0.5), work.setups.planning());
+            auto rest = stock_before(work.project, earlier, progress.part(0, 0.5), work.before->planning());
             earlier.at(chosen_setup(work.project)).carry(rest); // for whoever comes back to it
             planner.carry(std::move(rest));
             from = 0.5;
@@ -133,7 +134,7 @@ void PlanRunner::finish(Work& work, const JobEnd& end) {
         part_.show(work.part, false);
     // Operations that were removed in the meantime are forgotten.
     std::erase_if(work.outcomes, [this](const OperationOutcome& o) { return !document_.index_of(o.id); });
-    document_.take(work.setups.outcomes());
+    if (work.before) document_.take(work.before->outcomes());
     document_.take(work.outcomes);
     // What was planned is not out of date by it.
     if (const QString change = part_.taken_change(); !change.isEmpty()) messages_.information(change);
