@@ -206,9 +206,8 @@ void VerificationController::follow_plan() {
 
 void VerificationController::show_results() {
     Scene& scene = viewport_.scene();
-    const bool shown = model_.any() && model_.fits_part();
-    const JudgedSetup* setup = model_.shown_setup();
-    const DeviationDisplayPtr display = shown && setup ? setup->display : nullptr;
+    const JudgedSetup* setup = model_.fits_part() ? model_.shown_setup() : nullptr;
+    const DeviationDisplayPtr display = setup ? setup->display : nullptr;
     if (display.get() != shown_deviation_) {
         shown_deviation_ = display.get();
         scene.deviation().set(display);
@@ -224,7 +223,7 @@ void VerificationController::show_results() {
             use_scale(scale);
         }
     }
-    scene.deviation().set_note(shown && !model_.current() ? utf8(tr("out of date")) : std::string());
+    scene.deviation().set_note(setup && !model_.current() ? utf8(tr("out of date")) : std::string());
     viewport_.refresh();
 }
 
