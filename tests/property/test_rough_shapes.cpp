@@ -33,6 +33,22 @@ std::vector<ShapedTool> cutters() {
     return tools;
 }
 
+/// What the verifier says of a roughing with its links, on the context's stock.
+Verification judged_rough(const RoughSettings& settings, const Mesh& part, const Tool& tool,
+                          const PlanContext& context, double resolution) {
+    const Rough op(settings);
+    const VerifyProgram program{
+        "R",
+        VerifyTool(tool),
+        std::make_shared<ToolMotions>(link_operation(op, op.plan(context, Progress()), context, Progress())),
+        {}};
+    VerifySettings v;
+    v.resolution = v.sample_spacing = resolution;
+    v.allowance = settings.allowance;
+    v.gouge_limit = 1e-3;
+    return verify(part, context.stock, {&program, 1}, v, Progress());
+}
+
 /// A closed block round the z axis with rounded upright edges: `half` wide to either side.
 Mesh rounded_block(const Vec2& half, double radius, double low, double high) {
     constexpr int pieces = 12; // of each edge
@@ -368,17 +384,7 @@ private slots:
         context.stock_box.lo -= Vec3(3, 3, 0);
         context.stock_box.hi += Vec3(3, 3, 2);
         context.stock.box = context.stock_box;
-        const Rough op(s);
-        const VerifyProgram program{"R",
-                                    VerifyTool(tool),
-                                    std::make_shared<ToolMotions>(link_operation(
-                                        op, op.plan(context, Progress()), context, Progress())),
-                                    {}};
-        VerifySettings v;
-        v.resolution = v.sample_spacing = 0.1;
-        v.allowance = s.allowance;
-        v.gouge_limit = 1e-3;
-        const Verification judged = verify(part, context.stock, {&program, 1}, v, Progress());
+        const Verification judged = judged_rough(s, part, tool, context, 0.1);
         QVERIFY(!judged.gouged());
         const double deepest = judged.collisions.empty() ? 0 : judged.collisions.front().depth;
         QVERIFY2(
@@ -407,15 +413,7 @@ private slots:
                     context.stock_box.lo -= Vec3(3, 3, 0);
                     context.stock_box.hi += Vec3(3, 3, 1);
                     context.stock.box = context.stock_box;
-                    const Rough op(s);
-                    const auto motions = std::make_shared<ToolMotions>(
-                        link_operation(op, op.plan(context, Progress()), context, Progress()));
-                    const VerifyProgram program{"R", VerifyTool(tool), motions, {}};
-                    VerifySettings v;
-                    v.resolution = v.sample_spacing = 0.2;
-                    v.allowance = s.allowance;
-                    v.gouge_limit = 1e-3;
-                    const Verification judged = verify(part, context.stock, {&program, 1}, v, Progress());
+                    const Verification judged = judged_rough(s, part, tool, context, 0.2);
                     QVERIFY(!judged.gouged());
                     const double deepest = judged.collisions.empty() ? 0 : judged.collisions.front().depth;
                     QVERIFY2(judged.collisions.empty(),

@@ -5,6 +5,7 @@
 #include "core/job/setup_sheet.h"
 #include "core/job/verification.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/refine.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
 
@@ -85,23 +86,6 @@ bool stands(const StockModel& stock, const Vec3& p) {
     return false;
 }
 
-/// More places of a body's surface.
-Mesh divided(Mesh mesh, int times) {
-    for (int n = 0; n < times; ++n) {
-        Mesh finer;
-        for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-            const Vec3 a = mesh.corner(f, 0), b = mesh.corner(f, 1), c = mesh.corner(f, 2);
-            const auto base = Index(finer.vertices.size());
-            for (const Vec3& p : {a, b, c, Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a))})
-                finer.vertices.push_back(p);
-            for (const auto& [i, j, k] : {std::array{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
-                finer.facets.push_back({base + Index(i), base + Index(j), base + Index(k)});
-        }
-        mesh = std::move(finer);
-    }
-    return mesh;
-}
-
 } // namespace
 
 class TestTabs : public QObject {
@@ -131,7 +115,8 @@ private slots:
         QVERIFY(plan->stock_warnings.empty());
         for (const FixtureSolid& tab : *plan->part->fixtures) {
             QVERIFY(tab.tab && tab.clearance == 0);
-            const double deep = cut_into(*plan, divided(*tab.mesh, 4));
+            const double deep =
+                cut_into(*plan, refined(*tab.mesh, [](const auto&) { return true; }, 0.8, 100'000, {}).mesh);
             QVERIFY2(deep < 0.11, qPrintable(QString::number(deep))); // the tolerance
             // It stands: the middle of its upper edge is in the stock that is left.
             const Box3 box = tab.mesh->box();
