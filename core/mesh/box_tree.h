@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace facetmill {
@@ -40,7 +41,30 @@ public:
         }
     }
 
+    /// Calls visit(item) for each item whose box is nearer to p than the square root of `near2`, which visit
+    /// may make smaller; what is nearer comes first, roughly.
+    template <class Visit>
+    void nearest(const Vec3& p, double& near2, Visit&& visit) const {
+        if (!nodes_.empty()) nearest(p, near2, visit, 0, squared_distance(nodes_[0].box, p));
+    }
+
 private:
+    template <class Visit>
+    void nearest(const Vec3& p, double& near2, Visit&& visit, std::size_t i, double d2) const {
+        while (d2 < near2) {
+            if (nodes_[i].next == i + 1) return visit(nodes_[i].item);
+            std::size_t near = i + 1, far = nodes_[i + 1].next;
+            double near_d2 = squared_distance(nodes_[near].box, p),
+                   far_d2 = squared_distance(nodes_[far].box, p);
+            if (far_d2 < near_d2) {
+                std::swap(near, far);
+                std::swap(near_d2, far_d2);
+            }
+            nearest(p, near2, visit, near, near_d2);
+            i = far;
+            d2 = far_d2;
+        }
+    }
     struct Node {
         Box3 box;
         std::size_t next = 0; ///< the node behind this one and all below it; a leaf has none below

@@ -78,8 +78,12 @@ PlanRegion::PlanRegion(std::vector<PlanEdge> edges, const Progress& progress) : 
     Box3 all;
     for (const PlanEdge& e : edges_)
         all.add(flat_box(e));
-    const double same = same_share * all.diagonal();
-    std::vector<std::vector<PlanEdge>> borders(edges_.size());
+    const double same = same_ = same_share * all.diagonal();
+    struct Piece {
+        PlanEdge edge;
+        bool left_covered;
+    };
+    std::vector<std::vector<Piece>> borders(edges_.size());
     parallel_for(edges_.size(), 16, progress, [&](std::size_t i) {
         const PlanEdge& own = edges_[i];
         const double length = (own[1] - own[0]).norm();
@@ -101,12 +105,16 @@ PlanRegion::PlanRegion(std::vector<PlanEdge> edges, const Progress& progress) : 
             if ((at[k] - at[k - 1]) * length <= same) continue;
             const Vec2 middle = own[0] + 0.5 * (at[k] + at[k - 1]) * d;
             const Vec2 aside = beside_same * same * across;
-            if (covers(middle + aside) == covers(middle - aside)) continue;
-            borders[i].push_back({own[0] + at[k - 1] * d, own[0] + at[k] * d});
+            const bool left = covers(middle + aside);
+            if (left == covers(middle - aside)) continue;
+            borders[i].push_back({{own[0] + at[k - 1] * d, own[0] + at[k] * d}, left});
         }
     });
     for (const auto& pieces : borders)
-        border_.insert(border_.end(), pieces.begin(), pieces.end());
+        for (const Piece& piece : pieces) {
+            border_.push_back(piece.edge);
+            left_covered_.push_back(piece.left_covered);
+        }
     border_tree_ = tree_of(border_, progress);
 }
 
@@ -125,15 +133,26 @@ bool PlanRegion::covers(const Vec2& p) const {
 
 double PlanRegion::depth(const Vec2& p) const {
     double nearest2 = infinity;
-    const Vec3 at(p.x(), p.y(), 0);
-    border_tree_.each([&](const Box3& b) { return squared_distance(b, at) < nearest2; },
-                      [&](std::size_t i) {
-                          const PlanEdge& e = border_[i];
-                          const Vec2 d = e[1] - e[0];
-                          const double t = std::clamp((p - e[0]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-                          nearest2 = std::min(nearest2, (p - e[0] - t * d).squaredNorm());
-                      });
-    return covers(p) ? std::sqrt(nearest2) : -std::sqrt(nearest2);
+    std::size_t nearest = 0;
+    bool beside = false; // the nearest place is no end of its edge
+    border_tree_.nearest(Vec3(p.x(), p.y(), 0), nearest2, [&](std::size_t i) {
+        const PlanEdge& e = border_[i];
+        const Vec2 d = e[1] - e[0];
+        const double t = (p - e[0]).dot(d) / d.squaredNorm();
+        const double here2 = (p - e[0] - std::clamp(t, 0.0, 1.0) * d).squaredNorm();
+        if (!(here2 < nearest2)) return;
+        nearest2 = here2;
+        nearest = i;
+        beside = t > 0 && t < 1;
+    });
+    // Nothing lies between p and the nearest place: p is on the side of that edge that it is seen from.
+    const double distance = std::sqrt(nearest2);
+    const bool covered =
+        beside && distance > same_
+            ? (plane_cross(border_[nearest][1] - border_[nearest][0], p - border_[nearest][0]) > 0)
+                  == bool(left_covered_[nearest])
+            : covers(p);
+    return covered ? distance : -distance;
 }
 
 } // namespace facetmill

@@ -34,6 +34,8 @@ public:
 
 private:
     std::vector<PlanEdge> edges_, border_;
+    std::vector<char> left_covered_; ///< which side of each piece of the border is
+    double same_ = 0;                ///< places nearer to each other are the same
     BoxTree edge_tree_, border_tree_;
 };
 
