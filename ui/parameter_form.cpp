@@ -88,7 +88,7 @@ void ParameterForm::set_parameters(const std::vector<const ParameterInfo*>& para
     rows_.clear();
     auto* old = body_;
     body_ = new QWidget(this);
-    layout_->replaceWidget(old, body_);
+    delete layout_->replaceWidget(old, body_); // the item that held it
     old->setParent(nullptr);
     old->deleteLater(); // the edit that led here may come from one of its fields
     auto* column = new QVBoxLayout(body_);
