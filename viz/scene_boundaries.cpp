@@ -32,7 +32,7 @@ SceneBoundaries::SceneBoundaries(SceneStage& stage, const ScenePart& part) : Sce
     for (Piece* p : {&added_in_, &added_out_})
         add_actor(p->actor);
     for (Tint& tint : tints_) {
-        for (SceneActor* a : {&tint.coarse.actor, &tint.line, &tint.dots})
+        for (SceneActor* a : {&tint.coarse.actor, &tint.line, &tint.dots, &tint.area_actor})
             add_actor(*a);
         tint.line.unlit();
         tint.line.nearer(48);
@@ -48,7 +48,7 @@ bool SceneBoundaries::fits(const Tint& tint) const {
     return display_ && display_ == part_.display() && tint.marks.size() == display_->mesh->facet_count();
 }
 
-void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks) {
+void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks, PartDisplayPtr area) {
     Tint& tint = tints_[std::size_t(role)];
     stage_.steps.forget();
     if (display_ != part_.display()) {
@@ -58,6 +58,8 @@ void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks) {
                 stage_.renderer->RemoveActor(piece->actor.actor);
             t.pieces.clear();
             t.coarse.actor.clear();
+            t.area_actor.clear();
+            t.area = nullptr;
         }
         added_in_.actor.clear();
         added_out_.actor.clear();
@@ -79,6 +81,11 @@ void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks) {
     for (const auto& piece : tint.pieces)
         piece->stale = true;
     tint.coarse.stale = true;
+    tint.area_actor.clear();
+    tint.area = fits(tint) ? std::move(area) : nullptr;
+    if (tint.area)
+        tint.area_actor.set_data(triangle_data(tint.area->points, tint.area->normals, tint.area->triangles),
+                                 tint.area->center);
     if (role == BoundaryRole::within) added_.clear();
 }
 
@@ -174,10 +181,11 @@ void SceneBoundaries::settle() {
     for (std::size_t role = 0; role < tints_.size(); ++role) {
         Tint& tint = tints_[role];
         if (!fits(tint)) continue;
+        look(tint.area_actor, role);
         std::vector<Index> facets;
         for (std::size_t p = 0; p < tint.pieces.size(); ++p) {
             Piece& piece = *tint.pieces[p];
-            if (!piece.stale) continue;
+            if (!piece.stale || tint.area) continue;
             facets.clear();
             const std::size_t end = std::min(tint.marks.size(), (p + 1) * elements_in_piece);
             for (std::size_t f = p * elements_in_piece; f < end; ++f)
@@ -218,6 +226,7 @@ void SceneBoundaries::apply_palette(const Colors& colors) {
         for (const auto& piece : tint.pieces)
             look(piece->actor, role);
         look(tint.coarse.actor, role);
+        look(tint.area_actor, role);
         tint.line.color(within ? colors.boundary_line : colors.avoided_line);
         tint.dots.color(within ? colors.boundary_line : colors.avoided_line);
     }
@@ -236,8 +245,9 @@ void SceneBoundaries::apply_visibility(ShownSurface shown) {
         const bool tinted = on && fits(tint) && !adding_;
         const bool coarse = stage_.moving && display_ && !display_->preview.triangles.empty();
         for (const auto& piece : tint.pieces)
-            piece->actor.show(tinted && !coarse);
+            piece->actor.show(tinted && !coarse && !tint.area);
         tint.coarse.actor.show(tinted && coarse);
+        tint.area_actor.show(tinted && !coarse);
         tint.line.show(!adding_);
         tint.dots.show(!adding_);
     }
@@ -258,6 +268,7 @@ void SceneBoundaries::add_known(KnownBoxes& known) const {
     for (const Tint& tint : tints_) {
         if (!fits(tint)) continue;
         known.actors.push_back(tint.coarse.actor.actor);
+        known.actors.push_back(tint.area_actor.actor);
         for (const auto& piece : tint.pieces)
             known.actors.push_back(piece->actor.actor);
     }

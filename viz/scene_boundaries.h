@@ -1,4 +1,5 @@
-// Boundaries of operations in a scene: their facets tinted on the part, closed curves drawn on it as lines.
+// Boundaries of operations in a scene: their facets, or what lies in them, tinted on the part, closed curves
+// drawn on it as lines.
 #pragma once
 
 #include "viz/part_display.h"
@@ -21,7 +22,8 @@ public:
     ~SceneBoundaries() override;
 
     /// One mark for each facet of the part that the scene has; others than so many: nothing is tinted.
-    void set(BoundaryRole role, std::vector<char> marks);
+    /// `area`: what lies in it where that is not whole facets; the marks are for a coarse picture then.
+    void set(BoundaryRole role, std::vector<char> marks, PartDisplayPtr area = nullptr);
     /// Corners of a curve, drawn where it lies on the part looked at along Z; none: no curve. A closed one
     /// goes on from the last to the first.
     void set_curve(BoundaryRole role, const std::vector<Vec3>& corners, bool closed);
@@ -56,6 +58,8 @@ private:
         std::vector<std::int32_t> segments;
         std::vector<float> corners;
         SceneActor line, dots;
+        PartDisplayPtr area;
+        SceneActor area_actor;
     };
 
     void apply_palette(const Colors& colors) override;
