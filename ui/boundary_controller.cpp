@@ -21,13 +21,12 @@ constexpr double first_radius_share = 0.03;
 /// They have the same facets and the same curve.
 bool same_region(const Boundary& a, const Boundary& b) {
     return a.kind == b.kind && a.invert == b.invert && a.facets == b.facets && a.of_facets == b.of_facets
-           && a.slope == b.slope && a.curve == b.curve && a.offset == b.offset;
+           && a.slope == b.slope && a.curve == b.curve && a.offset == b.offset && a.tool == b.tool
+           && a.more_than == b.more_than;
 }
 
-/// Known in a moment, however large the part.
-bool is_quick(const Boundary& boundary) {
-    return boundary.kind == Boundary::Kind::facets || boundary.kind == Boundary::Kind::slope;
-}
+/// Of the part's size, as a share: facets that are divided to be drawn within a boundary are no longer there.
+constexpr double longest_share = 0.01;
 
 std::vector<Vec3> corners_of(const Boundary& boundary) {
     std::vector<Vec3> corners;
@@ -36,11 +35,19 @@ std::vector<Vec3> corners_of(const Boundary& boundary) {
     return corners;
 }
 
-std::vector<char> facets_or_none(const Boundary& boundary, const Mesh& part, const Progress& progress) {
+std::vector<char> facets_or_none(const Boundary& boundary, const Mesh& part) {
     try {
-        return boundary_facets(boundary, part, progress);
+        return boundary_facets(boundary, part);
     } catch (const Error&) {
         return {}; // the form says why
+    }
+}
+
+std::optional<AptCutter> cutter_or_none(const Project& project, const Boundary& boundary) {
+    try {
+        return project.cutter_of(boundary);
+    } catch (const Error&) {
+        return std::nullopt; // the form says why
     }
 }
 
@@ -98,7 +105,7 @@ void BoundaryController::begin() {
     facets_.settings() = box_.settings();
     Boundary painted = *boundary;
     painted.invert = false;
-    std::vector<char> marks = facets_or_none(painted, *part, {});
+    std::vector<char> marks = facets_or_none(painted, *part);
     if (marks.empty()) { // what does not fit is painted anew
         marks.resize(part->facet_count(), 0);
         viewport_.scene().boundaries().set(BoundaryRole::within,
@@ -182,19 +189,21 @@ void BoundaryController::show_role(BoundaryRole role, const Boundary* boundary) 
     Shown& shown = shown_[std::size_t(role)];
     const PartDisplayPtr part = viewport_.scene().part().display();
     if (!part || !document_.part() || part->mesh != document_.part()->mesh) boundary = nullptr;
-    const bool same = boundary
-                          ? shown.boundary && shown.part == part && same_region(*shown.boundary, *boundary)
-                          : !shown.boundary;
+    const auto cutter = boundary ? cutter_or_none(document_.project(), *boundary) : std::nullopt;
+    const bool same = boundary ? shown.boundary && shown.part == part && shown.cutter == cutter
+                                     && same_region(*shown.boundary, *boundary)
+                               : !shown.boundary;
     if (same) return;
     wanted_[std::size_t(role)] = false;
     shown.boundary = boundary ? std::optional(*boundary) : std::nullopt;
     shown.part = part;
+    shown.cutter = cutter;
     SceneBoundaries& scene = viewport_.scene().boundaries();
     show_curve(role, boundary);
     if (!boundary)
         scene.set(role, {});
-    else if (is_quick(*boundary))
-        scene.set(role, facets_or_none(*boundary, *part->mesh, {}));
+    else if (!is_looked_at_along_z(boundary->kind))
+        scene.set(role, facets_or_none(*boundary, *part->mesh));
     else
         wanted_[std::size_t(role)] = true;
     viewport_.refresh();
@@ -208,25 +217,43 @@ void BoundaryController::show_curve(BoundaryRole role, const Boundary* boundary)
 void BoundaryController::start_job() {
     struct Outcome {
         std::array<std::vector<char>, 2> marks;
+        std::array<PartDisplayPtr, 2> areas;
+        std::array<QString, 2> failures;
     };
     auto outcome = std::make_shared<Outcome>();
     const auto wanted = wanted_;
     const auto shown = shown_;
     job_.start(
-        tr("Finding facets of a boundary"),
+        tr("Finding what lies in a boundary"),
         [outcome, wanted, shown](const Progress& progress) {
-            for (std::size_t i = 0; i < wanted.size(); ++i)
-                if (wanted[i])
-                    outcome->marks[i] = facets_or_none(*shown[i].boundary, *shown[i].part->mesh, progress);
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                if (!wanted[i]) continue;
+                try {
+                    const MeshPtr& part = shown[i].part->mesh;
+                    const BoundaryRegion region(*shown[i].boundary, part, progress.part(0, 0.6),
+                                                shown[i].cutter);
+                    const double longest = longest_share * shown[i].part->box.diagonal();
+                    outcome->marks[i] = region.facets();
+                    outcome->areas[i] = prepare_part_display(
+                        region.surface(0, longest, progress.part(0.6, 0.9)), progress.part(0.9, 1));
+                } catch (const Error& e) {
+                    outcome->marks[i].clear();
+                    outcome->failures[i] =
+                        sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy());
+                }
+            }
         },
         [this, outcome, wanted, shown](const JobEnd& end) {
             if (!end.done()) return;
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 const bool fits = wanted[i] && wanted_[i] && shown_[i].part == shown[i].part
+                                  && shown_[i].cutter == shown[i].cutter
                                   && same_region(*shown_[i].boundary, *shown[i].boundary);
                 if (!fits) continue;
                 wanted_[i] = false;
-                viewport_.scene().boundaries().set(BoundaryRole(i), std::move(outcome->marks[i]));
+                viewport_.scene().boundaries().set(BoundaryRole(i), std::move(outcome->marks[i]),
+                                                   std::move(outcome->areas[i]));
+                if (!outcome->failures[i].isEmpty() && chosen()) messages_.warning(outcome->failures[i]);
             }
             viewport_.refresh();
         });
@@ -238,7 +265,7 @@ void BoundaryController::change(BoundaryBox::Change change) {
     const Mesh& part = *document_.part()->mesh;
     Boundary painted = *boundary;
     painted.invert = false;
-    std::vector<char> marks = facets_or_none(painted, part, {});
+    std::vector<char> marks = facets_or_none(painted, part);
     marks.resize(part.facet_count(), 0);
     QString what;
     switch (change) {

@@ -44,6 +44,7 @@ private:
     struct Shown {
         std::optional<Boundary> boundary;
         PartDisplayPtr part;
+        std::optional<AptCutter> cutter; ///< that leaves it
     };
     /// The chosen boundary, where one is and the part is as the project says.
     const Boundary* chosen() const;

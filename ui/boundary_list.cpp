@@ -9,7 +9,7 @@ namespace facetmill::ui {
 namespace {
 
 /// Names that boundaries begin with, by their kind.
-constexpr std::array<const char*, 4> first_names{"Painted", "Slope", "Curve", "Silhouette"};
+constexpr std::array<const char*, 5> first_names{"Painted", "Slope", "Curve", "Silhouette", "Rest"};
 
 std::string free_boundary_name(const Project& project, const std::string& wish) {
     return free_name(wish, [&](const std::string& name) {
@@ -19,7 +19,13 @@ std::string free_boundary_name(const Project& project, const std::string& wish) 
 }
 
 /// Fills in what a boundary of its kind must have and nobody has said yet.
-void complete(Boundary& boundary, const PreparedPart& part) {
+void complete(Boundary& boundary, const PreparedPart& part, const Project& project) {
+    if (boundary.kind == Boundary::Kind::rest && !find_tool(project.tools, boundary.tool)) {
+        const auto widest =
+            std::max_element(project.tools.begin(), project.tools.end(),
+                             [](const Tool& a, const Tool& b) { return a.diameter < b.diameter; });
+        if (widest != project.tools.end()) boundary.tool = widest->number;
+    }
     if (boundary.kind == Boundary::Kind::facets && boundary.facets.empty())
         boundary.of_facets = long(part.mesh->facet_count());
     if (boundary.kind == Boundary::Kind::curve && boundary.curve.size() < 3) {
@@ -39,7 +45,7 @@ std::size_t add_boundary(Document& document, Boundary::Kind kind) {
     Boundary made;
     made.kind = kind;
     made.name = free_boundary_name(document.project(), first_names[std::size_t(kind)]);
-    complete(made, *document.part());
+    complete(made, *document.part(), document.project());
     document.change(Document::tr("Add boundary"), [&](Project& p) { p.boundaries.push_back(made); });
     return at;
 }
@@ -79,7 +85,7 @@ void rename_boundary(Document& document, std::size_t i, const std::string& name)
 void set_boundary_kind(Document& document, std::size_t i, Boundary::Kind kind) {
     document.change(Document::tr("Change kind of boundary"), [&](Project& p) {
         p.boundaries.at(i).kind = kind;
-        if (document.part()) complete(p.boundaries[i], *document.part());
+        if (document.part()) complete(p.boundaries[i], *document.part(), p);
     });
 }
 

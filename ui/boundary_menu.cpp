@@ -21,6 +21,7 @@ constexpr BoundaryEntry boundary_entries[] = {
     {Boundary::Kind::curve, "boundary_curve", QT_TRANSLATE_NOOP("BoundaryMenu", "Closed curve")},
     {Boundary::Kind::silhouette, "boundary_silhouette",
      QT_TRANSLATE_NOOP("BoundaryMenu", "Silhouette of the part")},
+    {Boundary::Kind::rest, "boundary_rest", QT_TRANSLATE_NOOP("BoundaryMenu", "What a tool leaves")},
 };
 
 QString boundary_label(const char* text) {

@@ -234,6 +234,9 @@ void Document::set_tool(std::size_t i, const Tool& tool) {
         p.tools[i] = tool;
         for (Operation* o : all_operations(p)) // the operations stay with their tool when its number changes
             o->renumber_tool(old_number, tool.number);
+        for (std::size_t k = 0; k < setup_count(p); ++k)
+            for (Boundary& b : setup_at(p, k).boundaries)
+                if (b.tool == old_number) b.tool = tool.number;
     });
 }
 
@@ -253,6 +256,12 @@ void Document::remove_tool(std::size_t i) {
             throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
                         "operation '" + o->common().name + "' uses this tool",
                         "give the operation another tool first");
+    for (std::size_t k = 0; k < setup_count(project_); ++k)
+        for (const Boundary& b : setup_at(std::as_const(project_), k).boundaries)
+            if (b.kind == Boundary::Kind::rest && b.tool == tool.number)
+                throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
+                            "boundary '" + b.name + "' is what this tool leaves",
+                            "give the boundary another tool first");
     change(tr("Remove tool"), [&](Project& p) { p.tools.erase(p.tools.begin() + std::ptrdiff_t(i)); });
 }
 

@@ -239,6 +239,14 @@ std::map<std::string, QString> remarks_on(const Project& project, std::size_t op
     return remarks;
 }
 
+/// "/1 Ball/2 Flat": a form offers them by these.
+QString tools_text(const Project& project) {
+    QString all;
+    for (const Tool& t : project.tools)
+        all += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
+    return all;
+}
+
 /// Keys of a boundary in its form: what is painted or drawn is no text to edit.
 std::vector<std::string> boundary_form_keys(Boundary::Kind kind) {
     std::vector<std::string> keys = boundary_keys(kind);
@@ -373,8 +381,7 @@ QString PropertiesPanel::shape() const {
     QString shape = QString::number(int(node_->kind)) + QChar('/') + QString::number(node_->index);
     if (node_->kind == TreeNode::Kind::operation && node_->index < document_.operation_count()) {
         shape += QChar('/') + QString::number(document_.operation_id(node_->index));
-        for (const Tool& t : document_.project().tools)
-            shape += QStringLiteral("/%1 %2").arg(t.number).arg(text(t.name));
+        shape += tools_text(document_.project());
         if (const LatheCommon* turning = document_.operation(node_->index).turning())
             shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
         const OperationCommon& common = document_.operation(node_->index).common();
@@ -389,7 +396,8 @@ QString PropertiesPanel::shape() const {
     if (node_->kind == TreeNode::Kind::fixture && node_->index < document_.project().fixtures.size())
         shape += QChar('/') + text(fixture_kind_name(document_.project().fixtures[node_->index].kind));
     if (node_->kind == TreeNode::Kind::boundary && node_->index < document_.project().boundaries.size())
-        shape += QChar('/') + text(boundary_kind_name(document_.project().boundaries[node_->index].kind));
+        shape += QChar('/') + text(boundary_kind_name(document_.project().boundaries[node_->index].kind))
+                 + tools_text(document_.project());
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
                  + (document_.part() ? QStringLiteral("/sized") : QString());
@@ -438,7 +446,7 @@ void PropertiesPanel::refresh() {
         Boundary copy = project.boundaries[node_->index];
         title = text(copy.name);
         const ParameterView<Boundary> view(copy, boundary_parameters());
-        show(view, {}, all_but(boundary_form_keys(copy.kind), view));
+        show(view, {{"tool", tool_choices(project, false)}}, all_but(boundary_form_keys(copy.kind), view));
         hint = boundary_mismatch(copy, document_.part());
         if (alarm = !hint.isEmpty(); !alarm) hint = boundary_extent(copy);
     } else if (node_->kind == Kind::setup && node_->index < setup_count(project)) {

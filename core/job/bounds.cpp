@@ -14,8 +14,13 @@ constexpr std::size_t max_named = 3;
 /// A mesh that is grown has 44 times as many.
 constexpr std::size_t max_avoided_facets = 50'000;
 
-std::string text_of(const Boundary& boundary) {
-    return Key().add_up_to(Stage::output, boundary, boundary_parameters()).text();
+/// All that makes the region on a part.
+std::string text_of(const Project& project, const Boundary& boundary) {
+    Key key;
+    key.add_up_to(Stage::output, boundary, boundary_parameters());
+    if (const auto c = project.cutter_of(boundary))
+        key.add(std::array{c->d, c->r, c->e, c->f, c->alpha, c->beta, c->h});
+    return key.text();
 }
 
 /// "the fixture 'Clamp'", "the tabs 'A', 'B', 'C' and 2 more"; empty for none.
@@ -52,31 +57,31 @@ std::string bounds_key(const Project& project, const Operation& operation) {
     const OperationCommon& common = operation.common();
     Key key;
     if (!common.boundary.empty())
-        key.add("within").add(std::string_view(text_of(project.boundary_of(common.boundary))));
+        key.add("within").add(std::string_view(text_of(project, project.boundary_of(common.boundary))));
     if (!common.avoid.empty())
-        key.add("avoid").add(std::string_view(text_of(project.boundary_of(common.avoid))));
+        key.add("avoid").add(std::string_view(text_of(project, project.boundary_of(common.avoid))));
     return key.text();
 }
 
-std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Boundary& boundary,
+std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Project& project, const Boundary& boundary,
                                                           const Progress& progress) {
-    auto& kept = regions_[text_of(boundary)];
+    auto& kept = regions_[text_of(project, boundary)];
     if (kept) return kept;
     Boundary turned = boundary;
     for (CurveCorner& corner : turned.curve) {
         const Vec3 at = turn_ * Vec3(corner.at[0], corner.at[1], corner.at[2]);
         corner.at = {at.x(), at.y(), at.z()};
     }
-    kept = std::make_shared<BoundaryRegion>(turned, part_, progress);
+    kept = std::make_shared<BoundaryRegion>(turned, part_, progress, project.cutter_of(boundary));
     return kept;
 }
 
-void BoundsCache::avoid(const Boundary& boundary, double distance, OperationBounds& bounds,
-                        const Progress& progress) {
+void BoundsCache::avoid(const Project& project, const Boundary& boundary, double distance,
+                        OperationBounds& bounds, const Progress& progress) {
     const std::string place = boundary_place(boundary.name);
-    const std::string key = Key().add(std::string_view(text_of(boundary))).add(distance).text();
+    const std::string key = Key().add(std::string_view(text_of(project, boundary))).add(distance).text();
     if (!avoided_.contains(key)) {
-        const auto region = this->region(boundary, progress.part(0, 0.2));
+        const auto region = this->region(project, boundary, progress.part(0, 0.2));
         const std::size_t facets = region->piece()->facet_count();
         if (facets > max_avoided_facets)
             throw Error(ErrorCode::limit_exceeded, place,
@@ -108,11 +113,12 @@ OperationBounds BoundsCache::of(const Project& project, const Operation& operati
     OperationBounds bounds{held.all, kept_fixtures(part, held.fixtures), nullptr};
     const OperationCommon& common = operation.common();
     if (!common.avoid.empty())
-        avoid(project.boundary_of(common.avoid), common.avoid_distance, bounds, progress.part(0, 0.5));
+        avoid(project, project.boundary_of(common.avoid), common.avoid_distance, bounds,
+              progress.part(0, 0.5));
     if (!common.boundary.empty())
         bounds.within = std::make_shared<KeptWithin>(
-            KeptWithin{region(project.boundary_of(common.boundary), progress.part(0.5, 1)), common.contain,
-                       CutterProfile(project.tool_of(operation).cutter()).max_radius()});
+            KeptWithin{region(project, project.boundary_of(common.boundary), progress.part(0.5, 1)),
+                       common.contain, CutterProfile(project.tool_of(operation).cutter()).max_radius()});
     return bounds;
 }
 

@@ -37,8 +37,10 @@ public:
                        const Held& held, const Progress& progress);
 
 private:
-    std::shared_ptr<const BoundaryRegion> region(const Boundary& boundary, const Progress& progress);
-    void avoid(const Boundary& boundary, double distance, OperationBounds& bounds, const Progress& progress);
+    std::shared_ptr<const BoundaryRegion> region(const Project& project, const Boundary& boundary,
+                                                 const Progress& progress);
+    void avoid(const Project& project, const Boundary& boundary, double distance, OperationBounds& bounds,
+               const Progress& progress);
 
     Mat3 turn_;
     MeshPtr part_;

@@ -122,27 +122,35 @@ Machine project_machine(const Project& project) {
 
 namespace {
 
-const Tool& tool_by_number(const std::vector<Tool>& tools, long number, const Operation& operation) {
+const Tool& tool_by_number(const std::vector<Tool>& tools, long number, const std::string& place) {
     if (const Tool* tool = find_tool(tools, number)) return *tool;
     std::string known;
     for (const Tool& t : tools)
         known += (known.empty() ? "" : ", ") + std::to_string(t.number);
-    throw Error(ErrorCode::missing_reference, "operation '" + printable(operation.common().name) + "'",
-                "there is no tool " + std::to_string(number),
+    throw Error(ErrorCode::missing_reference, place, "there is no tool " + std::to_string(number),
                 known.empty() ? "the project has no tools: add one" : "tools there are: " + known);
+}
+
+std::string place_of(const Operation& operation) {
+    return "operation '" + printable(operation.common().name) + "'";
 }
 
 } // namespace
 
 const Tool& Project::tool_of(const Operation& operation) const {
-    return tool_by_number(tools, operation.common().tool, operation);
+    return tool_by_number(tools, operation.common().tool, place_of(operation));
 }
 
 std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
     std::vector<Tool> further;
     for (const long number : operation.further_tools())
-        further.push_back(tool_by_number(tools, number, operation));
+        further.push_back(tool_by_number(tools, number, place_of(operation)));
     return further;
+}
+
+std::optional<AptCutter> Project::cutter_of(const Boundary& boundary) const {
+    if (boundary.kind != Boundary::Kind::rest) return std::nullopt;
+    return tool_by_number(tools, boundary.tool, "boundary '" + printable(boundary.name) + "'").cutter();
 }
 
 void keep_referenced(const Project& project, const fs::path& output) {
@@ -258,6 +266,11 @@ void check_boundaries(const Project& p) {
         if (boundary.kind == Boundary::Kind::curve && boundary.curve.size() < 3)
             throw Error(ErrorCode::out_of_range, place + ".curve", "a closed curve has three corners or more",
                         "draw the curve on the part, or list its corners");
+        try {
+            p.cutter_of(boundary);
+        } catch (const Error& e) {
+            throw Error(e.code(), place + ".tool", e.message(), e.remedy());
+        }
         for (std::size_t k = 0; k < i; ++k)
             if (p.boundaries[k].name == boundary.name)
                 throw Error(ErrorCode::out_of_range, place + ".name",

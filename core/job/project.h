@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,9 @@ struct Project : Setup {
     const Tool& tool_of(const Operation& operation) const;
     /// That of the chosen setup with this name. Throws Error(missing_reference) that names those there are.
     const Boundary& boundary_of(const std::string& wanted) const;
+    /// What leaves a boundary that is the rest of a tool; nothing for others. Throws Error(missing_reference)
+    /// that names the boundary.
+    std::optional<AptCutter> cutter_of(const Boundary& boundary) const;
     /// Those of Operation::further_tools. Throws likewise.
     std::vector<Tool> further_tools_of(const Operation& operation) const;
 };

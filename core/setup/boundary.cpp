@@ -1,6 +1,7 @@
 #include "core/setup/boundary.h"
 
 #include "core/base/text.h"
+#include "core/setup/tool.h"
 
 #include <algorithm>
 #include <charconv>
@@ -32,12 +33,14 @@ const ParameterTable<Boundary>& boundary_parameters() {
                                 .help = "Operations name the boundary by it.",
                                 .kind = K::text,
                                 .stage = Stage::contact});
-        t.add_choice(&Boundary::kind, {.key = "kind",
-                                       .label = "Kind",
-                                       .help = "What makes the region: painted facets, a range of slope, a "
-                                               "closed curve drawn on the part, or the part's outline.",
-                                       .words = {"facets", "slope", "curve", "silhouette"},
-                                       .stage = Stage::contact});
+        t.add_choice(&Boundary::kind,
+                     {.key = "kind",
+                      .label = "Kind",
+                      .help = "What makes the region: painted facets, a range of slope, a "
+                              "closed curve drawn on the part, the part's outline, or what a tool "
+                              "leaves.",
+                      .words = {"facets", "slope", "curve", "silhouette", "rest"},
+                      .stage = Stage::contact});
         t.add(&Boundary::facets, {.key = "facets",
                                   .label = "Facets",
                                   .help = "Numbers of the painted facets, counted from 0 in the part's file: "
@@ -67,6 +70,25 @@ const ParameterTable<Boundary>& boundary_parameters() {
                        .help = "Corners of a closed curve, which is looked at along Z.",
                        .stage = Stage::contact,
                        .nouns = {"corner", "corners"}});
+        t.add(&Boundary::tool,
+              {.key = "tool",
+               .label = "Left by",
+               .help = "Number of the tool. The region is what it leaves of the part where it "
+                       "has been everywhere: hollows narrower than it, inner edges.",
+               .kind = K::integer,
+               .quantity = Quantity::count,
+               .minimum = 0,
+               .maximum = largest_tool_number,
+               .stage = Stage::contact});
+        t.add(&Boundary::more_than, {.key = "more_than",
+                                     .label = "More than",
+                                     .help = "What the tool leaves counts where it is thicker than that.",
+                                     .kind = K::number,
+                                     .quantity = Quantity::length,
+                                     .minimum = 0,
+                                     .maximum = 1e3,
+                                     .open_minimum = true,
+                                     .stage = Stage::contact});
         t.add(&Boundary::offset, {.key = "offset",
                                   .label = "Offset",
                                   .help = "Moves the border outward by so much, inward below 0.",
@@ -90,11 +112,12 @@ const std::string& boundary_kind_name(Boundary::Kind kind) {
 }
 
 const std::vector<std::string>& boundary_keys(Boundary::Kind kind) {
-    static const std::array<std::vector<std::string>, 4> keys = {{
+    static const std::array<std::vector<std::string>, 5> keys = {{
         {"name", "kind", "facets", "of_facets", "invert"},
         {"name", "kind", "slope", "invert"},
         {"name", "kind", "curve", "offset", "invert"},
         {"name", "kind", "offset", "invert"},
+        {"name", "kind", "tool", "more_than", "offset", "invert"},
     }};
     return keys[std::size_t(kind)];
 }

@@ -23,6 +23,7 @@ struct Boundary {
         slope,      ///< facets whose normal makes such an angle with +Z
         curve,      ///< what lies in a closed curve, looked at along Z
         silhouette, ///< what lies in the part's outline, looked at along Z
+        rest,       ///< what a tool leaves where it has been everywhere, looked at along Z
     };
     std::string name = "Boundary";
     Kind kind = Kind::facets;
@@ -31,14 +32,16 @@ struct Boundary {
     long of_facets = 0; ///< facets: how many the part had when they were painted
     std::array<double, 2> slope{0, radians(30)};
     std::vector<CurveCorner> curve; ///< the last is joined to the first; z is only for showing it
-    double offset = 0;              ///< curve, silhouette: outward, inward below 0
+    long tool = 0;                  ///< rest: its number
+    double more_than = 0.1;         ///< rest: less than that, along the normal, counts as nothing
+    double offset = 0;              ///< curve, silhouette, rest: outward, inward below 0
     bool invert = false;            ///< all but that
 };
 
 const ParameterTable<CurveCorner>& curve_corner_parameters();
 inline constexpr RecordList<CurveCorner> curve_list{"curve", curve_corner_parameters};
 const ParameterTable<Boundary>& boundary_parameters();
-/// "facets", "slope", "curve", "silhouette".
+/// "facets", "slope", "curve", "silhouette", "rest".
 const std::string& boundary_kind_name(Boundary::Kind kind);
 /// Keys of the parameters that a kind has; the others say nothing of it.
 const std::vector<std::string>& boundary_keys(Boundary::Kind kind);

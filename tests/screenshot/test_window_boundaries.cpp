@@ -2,6 +2,7 @@
 // each change a step of the history.
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
+#include "tests/support/error_code.h"
 #include "tests/support/part_meshes.h"
 #include "ui/boundary_box.h"
 #include "ui/message_bar.h"
@@ -177,6 +178,56 @@ private slots:
         w().tree().select({TreeNode::Kind::boundary, 0});
         w().tree().remove_action()->trigger();
         QCOMPARE(project().boundaries.size(), std::size_t(1));
+    }
+
+    /// A smaller tool cuts where a larger one cannot come. The boundary follows its tool, and holds it.
+    void what_a_tool_leaves() {
+        w().document().change(QStringLiteral("Tools"), [](Project& p) {
+            p.tools.push_back(p.tools[0]);
+            p.tools[1].number = 2;
+            p.tools[1].name = "Large ball";
+            p.tools[1].diameter = 40;
+            p.tools[1].corner_radius = 20;
+        });
+        add("boundary_rest");
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QVERIFY(boundary().kind == Boundary::Kind::rest && boundary().tool == 2);
+        QVERIFY(row("more_than") && row("offset") && row("invert") && !row("slope0"));
+        QVERIFY(qobject_cast<QComboBox*>(row("tool"))->currentText().contains(QStringLiteral("Large ball")));
+        from_above();
+        shot(w(), QStringLiteral("boundaries-rest"));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        pick_in("boundary", QStringLiteral("Rest"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QCOMPARE(w().document().state(0), ui::OperationState::planned);
+        const auto result = w().document().result(0);
+        QVERIFY(result);
+        std::size_t within = 0;
+        for (const Pass& pass : result->path.passes)
+            for (const auto& cl : pass.cl) {
+                // In hollows alone: the ball of 40 comes to all that is higher than the middle.
+                QVERIFY2(cl.tip.z() < 3.2, qPrintable(QString::number(cl.tip.z())));
+                ++within;
+            }
+        QVERIFY(within > 20);
+        shot(w(), QStringLiteral("boundaries-rest-planned"));
+        // Its tool: another shape makes the plan old, another number is followed, and it is not removed.
+        Tool narrower = project().tools[1];
+        narrower.diameter = 30;
+        narrower.corner_radius = 15;
+        narrower.number = 9;
+        w().document().set_tool(1, narrower);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(boundary().tool, 9L);
+        QCOMPARE(w().document().state(0), ui::OperationState::stale);
+        QCOMPARE(code_of([&] { w().document().remove_tool(1); }), std::string("missing_reference"));
+        // The ball of 6 leaves nothing here: said where it is chosen.
+        w().tree().select({TreeNode::Kind::boundary, 0});
+        pick_in("tool", qobject_cast<QComboBox*>(row("tool"))->itemText(0));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("leaves nothing")),
+                 qPrintable(w().message_bar().message()));
     }
 
     /// A plan is out of date when a boundary that it names says something else, not when another one does.

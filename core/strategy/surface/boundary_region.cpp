@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/refine.h"
 #include "core/mesh/triangle_distance.h"
+#include "core/strategy/surface/tool_rest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,17 @@ std::string boundary_place(const std::string& name) {
     return "boundary '" + printable(name, 60) + "'";
 }
 
+bool is_looked_at_along_z(Boundary::Kind kind) {
+    return kind == Boundary::Kind::curve || kind == Boundary::Kind::silhouette
+           || kind == Boundary::Kind::rest;
+}
+
 namespace {
 
 /// Of angles, and of lengths as a share of the part's size: what differs by less is the same.
 constexpr double same_angle = 1e-9, same_length = 1e-9;
 /// How often a facet is divided to see whether some of it lies in a plane region: pieces are an eighth of it.
 constexpr int facet_divisions = 3;
-
-bool by_plan(const Boundary& boundary) {
-    return boundary.kind == Boundary::Kind::curve || boundary.kind == Boundary::Kind::silhouette;
-}
 
 std::vector<char> painted_facets(const Boundary& boundary, const Mesh& part) {
     const std::size_t count = part.facet_count();
@@ -60,11 +62,37 @@ std::vector<PlanEdge> loop_of(const std::vector<CurveCorner>& curve) {
     return edges;
 }
 
-PlanRegion region_of(const Boundary& boundary, const Mesh& part, const Progress& progress) {
-    return PlanRegion(boundary.kind == Boundary::Kind::curve
-                          ? loop_of(boundary.curve)
-                          : outline_edges(part, std::vector<char>(part.facet_count(), 1), progress),
-                      progress);
+std::vector<PlanEdge> edges_of_rest(const Boundary& boundary, const MeshPtr& part,
+                                    const std::optional<AptCutter>& cutter, const Progress& progress) {
+    if (!cutter)
+        throw Error(ErrorCode::missing_reference, boundary_place(boundary.name),
+                    "nobody has said which tool leaves it", "name a tool of the project");
+    try {
+        const auto index = std::make_shared<ContactIndex>(part, progress.part(0, 0.1));
+        std::vector<PlanEdge> edges =
+            ToolRest(index, CutterProfile(*cutter), boundary.more_than, progress.part(0.1, 0.4))
+                .outline(progress.part(0.4, 1));
+        if (edges.empty() && !boundary.invert)
+            throw Error(ErrorCode::empty_result, boundary_place(boundary.name),
+                        "the tool leaves nothing that is thicker than that",
+                        "name a larger tool or a smaller thickness");
+        return edges;
+    } catch (const Error& e) {
+        if (e.where().empty()) throw e.within(boundary_place(boundary.name));
+        throw;
+    }
+}
+
+PlanRegion region_of(const Boundary& boundary, const MeshPtr& part, const std::optional<AptCutter>& cutter,
+                     const Progress& progress) {
+    std::vector<PlanEdge> edges;
+    if (boundary.kind == Boundary::Kind::curve)
+        edges = loop_of(boundary.curve);
+    else if (boundary.kind == Boundary::Kind::silhouette)
+        edges = outline_edges(*part, std::vector<char>(part->facet_count(), 1), progress.part(0, 0.5));
+    else
+        edges = edges_of_rest(boundary, part, cutter, progress.part(0, 0.9));
+    return PlanRegion(std::move(edges), progress.part(0.9, 1));
 }
 
 /// Whether some of a triangle may lie where `depth` is not below 0; the depth of places changes by no more
@@ -102,10 +130,6 @@ double plan_depth(const PlanRegion& plan, const Vec2& p, double offset, bool inv
     return inverted ? -depth : depth;
 }
 
-} // namespace
-
-namespace {
-
 std::vector<char> facets_over(const Boundary& boundary, const PlanRegion& plan, const Mesh& part,
                               const Progress& progress) {
     return facets_within(
@@ -114,8 +138,7 @@ std::vector<char> facets_over(const Boundary& boundary, const PlanRegion& plan, 
 
 } // namespace
 
-std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part, const Progress& progress) {
-    if (by_plan(boundary)) return facets_over(boundary, region_of(boundary, part, progress), part, progress);
+std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part) {
     std::vector<char> in = boundary.kind == Boundary::Kind::slope ? facets_of_slope(boundary, part)
                                                                   : painted_facets(boundary, part);
     if (boundary.invert)
@@ -124,16 +147,17 @@ std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part, co
     return in;
 }
 
-BoundaryRegion::BoundaryRegion(const Boundary& boundary, MeshPtr part, const Progress& progress)
-    : name_(boundary.name), part_(std::move(part)), by_plan_(by_plan(boundary)),
+BoundaryRegion::BoundaryRegion(const Boundary& boundary, MeshPtr part, const Progress& progress,
+                               const std::optional<AptCutter>& cutter)
+    : name_(boundary.name), part_(std::move(part)), by_plan_(is_looked_at_along_z(boundary.kind)),
       same_(same_length * part_->box().diagonal()) {
     if (by_plan_) {
-        plan_ = region_of(boundary, *part_, progress.part(0, 0.7));
+        plan_ = region_of(boundary, part_, cutter, progress.part(0, 0.7));
         inverted_ = boundary.invert;
         offset_ = boundary.offset;
         facets_ = facets_over(boundary, plan_, *part_, progress.part(0.7, 1));
     } else {
-        facets_ = boundary_facets(boundary, *part_, progress.part(0, 0.3));
+        facets_ = boundary_facets(boundary, *part_);
     }
     std::vector<Index> own;
     for (std::size_t f = 0; f < facets_.size(); ++f)

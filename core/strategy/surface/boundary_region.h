@@ -1,17 +1,19 @@
 // A boundary of a setup on its part: which facets it has, which contact points lie in it, and how deep a
 // place lies in it that is looked at along Z. Millimetres, coordinates of the setup.
 //
-// On the surface a boundary is a set of facets; a curve and the silhouette are looked at along Z instead, and
-// have the facets some of which lies in them. In the plan the region is the union of its facets looked at
-// along Z, whichever way they face.
+// On the surface a boundary is a set of facets; a curve, the silhouette and what a tool leaves (tool_rest.h)
+// are looked at along Z instead, and have the facets some of which lies in them. In the plan the region is
+// the union of its facets looked at along Z, whichever way they face.
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/cutter/cutter.h"
 #include "core/mesh/box_tree.h"
 #include "core/setup/boundary.h"
 #include "core/strategy/surface/plan_region.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,15 +22,20 @@ namespace facetmill {
 /// "boundary 'NAME'", as errors say where something is wrong.
 std::string boundary_place(const std::string& name);
 
-/// Which facets of the part a boundary has, 1 or 0 for each: all that is drawn of it. Throws
+/// Whether a boundary is looked at along Z; others are facets.
+bool is_looked_at_along_z(Boundary::Kind kind);
+
+/// Which facets of the part a boundary has that is painted or a range of slope, 1 or 0 for each. Throws
 /// Error(out_of_range, syntax) for painted facets that the part does not have; its place is "boundary
 /// 'NAME'".
-std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part, const Progress& progress);
+std::vector<char> boundary_facets(const Boundary& boundary, const Mesh& part);
 
 class BoundaryRegion {
 public:
-    /// Throws what boundary_facets does, and Error(empty_result) where nothing of the part lies in it.
-    BoundaryRegion(const Boundary& boundary, MeshPtr part, const Progress& progress);
+    /// `cutter`: of its tool, for what that leaves; not asked otherwise. Throws what boundary_facets and
+    /// ToolRest do, and Error(empty_result) where nothing of the part lies in it.
+    BoundaryRegion(const Boundary& boundary, MeshPtr part, const Progress& progress,
+                   const std::optional<AptCutter>& cutter = std::nullopt);
 
     const std::string& name() const { return name_; }
     const std::vector<char>& facets() const { return facets_; }
@@ -53,7 +60,7 @@ private:
     MeshPtr piece_;
     BoxTree tree_; ///< of the part's facets
     PlanRegion plan_;
-    bool by_plan_ = false, inverted_ = false; ///< a curve or the silhouette; all but `plan_`
+    bool by_plan_ = false, inverted_ = false; ///< it is looked at along Z; all but `plan_`
     double offset_ = 0, same_ = 0;            ///< distances that differ by less are the same
 };
 

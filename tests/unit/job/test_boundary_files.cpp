@@ -20,7 +20,8 @@ const char* const bounded = R"({ "facetmill": 2, "units": "in", "part": { "file"
                     { "name": "Flats", "kind": "slope", "slope": [0, 30] },
                     { "name": "Drawn", "kind": "curve", "offset": 0.5,
                       "curve": [ { "at": [0, 0, 1] }, { "at": [1, 0, 1] }, { "at": [0, 1, 1] } ] },
-                    { "name": "Outline", "kind": "silhouette", "offset": -0.25 } ],
+                    { "name": "Outline", "kind": "silhouette", "offset": -0.25 },
+                    { "name": "Corners", "kind": "rest", "tool": 1, "more_than": 0.002 } ],
     "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "boundary": "Flats", "contain": "tip",
                       "avoid": "Pad", "avoid_distance": 0.1 } ] } ] })";
 
@@ -43,12 +44,15 @@ private slots:
 
     void the_file_keeps_them() {
         const Project p = bounded_project(bounded);
-        QCOMPARE(p.boundaries.size(), std::size_t(4));
+        QCOMPARE(p.boundaries.size(), std::size_t(5));
         QCOMPARE(p.boundaries[0].facets, std::string("0-3, 7"));
         QVERIFY(p.boundaries[0].invert && p.boundaries[0].of_facets == 12);
         QCOMPARE(p.boundaries[1].slope[1], radians(30));
         QCOMPARE(p.boundaries[2].curve.at(1).at[0], 25.4);
         QCOMPARE(p.boundaries[3].offset, -6.35);
+        QVERIFY(p.boundaries[4].tool == 1 && p.boundaries[4].more_than == 0.0508);
+        QCOMPARE(p.cutter_of(p.boundaries[4])->d, 6.35);
+        QVERIFY(!p.cutter_of(p.boundaries[3]));
         const OperationCommon& common = p.operations[0]->common();
         QVERIFY(common.boundary == "Flats" && common.contain == Containment::tip && common.avoid == "Pad");
         QCOMPARE(common.avoid_distance, 2.54);
@@ -76,6 +80,10 @@ private slots:
             "setups[0].boundaries[1].offset");
         row("no such kind", bounded_with("\"silhouette\"", "\"shadow\""), "out_of_range",
             "setups[0].boundaries[3].kind");
+        row("the rest of no tool", bounded_with("\"rest\", \"tool\": 1", "\"rest\", \"tool\": 7"),
+            "missing_reference", "boundaries[4].tool");
+        row("nothing is left", bounded_with("\"more_than\": 0.002", "\"more_than\": 0"), "out_of_range",
+            "setups[0].boundaries[4].more_than");
         row("slopes turned round", bounded_with("[0, 30]", "[30, 0]"), "out_of_range",
             "setups[0].boundaries[1].slope");
         row("two of a name", bounded_with("\"name\": \"Flats\"", "\"name\": \"Pad\""), "out_of_range",
