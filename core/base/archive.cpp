@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <set>
 
@@ -26,7 +27,7 @@ using Archive = std::unique_ptr<zip_t, Discard>;
 using Source = std::unique_ptr<zip_source_t, Release>;
 
 /// Kind of file in the upper half of a Unix system's attributes.
-constexpr unsigned kind_mask = 0170000, plain_file = 0100000, folder = 0040000;
+constexpr unsigned kind_mask = 0170000, plain_file = 0100000, folder_kind = 0040000;
 
 [[noreturn]] void damaged(const std::string& where, const std::string& what) {
     throw Error(ErrorCode::syntax, where, "is no sound archive: " + what, "have it packed and sent again");
@@ -56,9 +57,9 @@ public:
                        [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
         if (folders_.contains(name) || !files_.insert(name).second) return false;
         for (std::size_t at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1)) {
-            const std::string way = name.substr(0, at);
-            if (files_.contains(way)) return false;
-            folders_.insert(way);
+            const std::string above = name.substr(0, at);
+            if (files_.contains(above)) return false;
+            folders_.insert(above);
         }
         return true;
     }
@@ -87,26 +88,123 @@ bool is_plain(zip_t& archive, zip_uint64_t i, const std::string& where) {
     if (zip_file_get_external_attributes(&archive, i, 0, &system, &attributes) != 0)
         damaged(where, "its attributes cannot be read");
     const unsigned kind = system == ZIP_OPSYS_UNIX ? (attributes >> 16) & kind_mask : 0;
-    if (kind != 0 && kind != plain_file && kind != folder)
+    if (kind != 0 && kind != plain_file && kind != folder_kind)
         throw Error(ErrorCode::unsupported_format, where, "is a link or no plain file",
                     "have the project packed with the files themselves");
-    return kind != folder;
+    return kind != folder_kind;
 }
 
-std::string entry_bytes(zip_t& archive, zip_uint64_t i, std::uint64_t size, const std::string& where) {
-    const std::unique_ptr<zip_file_t, Close> file(zip_fopen_index(&archive, i, 0));
-    if (!file) damaged(where, printable(zip_strerror(&archive)));
-    // What is said of the size may be a lie: memory grows with what comes.
-    std::string bytes, piece(1 << 20, '\0');
-    while (true) {
-        const zip_int64_t n = zip_fread(file.get(), piece.data(), piece.size());
-        if (n < 0) damaged(where, "it cannot be unpacked");
-        if (n == 0) break;
-        bytes.append(piece, 0, std::size_t(n));
-        if (bytes.size() > size) damaged(where, "it is larger than it says");
+/// Where libzip writes to. It goes back to the head of a file once it knows its size.
+struct Target {
+    const ArchiveWriter& write;
+    const Progress& progress;
+    std::exception_ptr thrown; ///< exceptions do not pass through libzip
+    std::uint64_t at = 0, end = 0;
+    zip_error_t error{};
+};
+
+zip_int64_t put(Target& target, const void* data, zip_uint64_t size) {
+    try {
+        target.write(target.at, {static_cast<const char*>(data), std::size_t(size)});
+    } catch (...) {
+        target.thrown = std::current_exception();
+        zip_error_set(&target.error, ZIP_ER_WRITE, 0);
+        return -1;
     }
-    if (bytes.size() != size) damaged(where, "it is smaller than it says");
-    return bytes;
+    target.at += size;
+    target.end = std::max(target.end, target.at);
+    return zip_int64_t(size);
+}
+
+/// An empty file that is written.
+zip_int64_t serve_target(void* user, void* data, zip_uint64_t size, zip_source_cmd_t command) {
+    Target& target = *static_cast<Target*>(user);
+    switch (command) {
+    case ZIP_SOURCE_WRITE:
+        return put(target, data, size);
+    case ZIP_SOURCE_SEEK_WRITE: {
+        const zip_int64_t at =
+            zip_source_seek_compute_offset(target.at, target.end, data, size, &target.error);
+        if (at < 0) return -1;
+        target.at = std::uint64_t(at);
+        return 0;
+    }
+    case ZIP_SOURCE_TELL_WRITE:
+        return zip_int64_t(target.at);
+    case ZIP_SOURCE_STAT: {
+        zip_stat_t& stat = *static_cast<zip_stat_t*>(data);
+        zip_stat_init(&stat);
+        stat.size = 0;
+        stat.valid |= ZIP_STAT_SIZE;
+        return sizeof stat;
+    }
+    case ZIP_SOURCE_ERROR:
+        return zip_error_to_data(&target.error, data, size);
+    case ZIP_SOURCE_SUPPORTS:
+        return zip_source_make_command_bitmap(
+            ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR,
+            ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL, ZIP_SOURCE_SUPPORTS, ZIP_SOURCE_BEGIN_WRITE,
+            ZIP_SOURCE_COMMIT_WRITE, ZIP_SOURCE_ROLLBACK_WRITE, ZIP_SOURCE_WRITE, ZIP_SOURCE_SEEK_WRITE,
+            ZIP_SOURCE_TELL_WRITE, ZIP_SOURCE_REMOVE, -1);
+    case ZIP_SOURCE_OPEN:
+    case ZIP_SOURCE_READ:
+    case ZIP_SOURCE_CLOSE:
+    case ZIP_SOURCE_SEEK:
+    case ZIP_SOURCE_TELL:
+    case ZIP_SOURCE_BEGIN_WRITE:
+    case ZIP_SOURCE_COMMIT_WRITE:
+    case ZIP_SOURCE_ROLLBACK_WRITE:
+    case ZIP_SOURCE_REMOVE:
+    case ZIP_SOURCE_FREE:
+        return 0;
+    default:
+        zip_error_set(&target.error, ZIP_ER_OPNOTSUPP, 0);
+        return -1;
+    }
+}
+
+void show_progress(zip_t* /*archive*/, double fraction, void* user) {
+    try {
+        static_cast<Target*>(user)->progress.set(fraction);
+    } catch (...) { // libzip asks for cancels by itself
+    }
+}
+
+int is_cancelled(zip_t* /*archive*/, void* user) {
+    return static_cast<Target*>(user)->progress.cancelled() ? 1 : 0;
+}
+
+void add_entries(zip_t& archive, const std::vector<ArchiveEntry>& files) {
+    const auto check = [&](bool good) {
+        if (!good)
+            throw Error(ErrorCode::internal, "archive", printable(zip_strerror(&archive)), "try again");
+    };
+    const ArchiveLimits limits;
+    if (files.size() > limits.files)
+        throw Error(ErrorCode::limit_exceeded, "archive",
+                    "would hold " + std::to_string(files.size()) + " files, more than "
+                        + std::to_string(limits.files),
+                    "send the files as they are");
+    Names names;
+    std::uint64_t left = limits.bytes;
+    for (const ArchiveEntry& file : files) {
+        const std::string wrong = wrong_with(file.name);
+        if (!wrong.empty() || !names.take(file.name))
+            throw Error(ErrorCode::out_of_range, printable(file.name),
+                        wrong.empty() ? "a name occurs twice" : wrong, "give the file another name");
+        if (file.bytes.size() > left)
+            throw Error(ErrorCode::limit_exceeded, printable(file.name),
+                        "would make the archive hold more than " + std::to_string(limits.bytes) + " bytes",
+                        "send the files as they are");
+        left -= file.bytes.size();
+        Source bytes(zip_source_buffer(&archive, file.bytes.data(), file.bytes.size(), 0));
+        check(bytes != nullptr);
+        const zip_int64_t i = zip_file_add(&archive, file.name.c_str(), bytes.get(), ZIP_FL_ENC_UTF_8);
+        check(i >= 0);
+        bytes.release(); // NOLINT(bugprone-unused-return-value): the archive has it
+        // The first day that the format knows.
+        check(zip_file_set_dostime(&archive, zip_uint64_t(i), 0, 0x21, 0) == 0);
+    }
 }
 
 } // namespace
@@ -116,86 +214,153 @@ bool is_archive(std::string_view bytes) {
     return bytes.starts_with("PK\3\4"sv) || bytes.starts_with("PK\5\6"sv);
 }
 
-std::string archive_bytes(const std::vector<ArchiveFile>& files) {
+void write_archive(const std::vector<ArchiveEntry>& files, const ArchiveWriter& write,
+                   const Progress& progress) {
+    Target target{.write = write, .progress = progress};
     zip_error_t error;
     zip_error_init(&error);
-    zip_source_t* const made = zip_source_buffer_create(nullptr, 0, 0, &error);
-    if (!made) throw Error(ErrorCode::internal, "archive", "there is no memory for it", "try again");
-    zip_source_keep(made);
-    const Source source(made);
-    Archive archive(zip_open_from_source(made, ZIP_TRUNCATE, &error));
+    zip_error_init(&target.error);
+    Source source(zip_source_function_create(serve_target, &target, &error));
+    Archive archive(source ? zip_open_from_source(source.get(), ZIP_TRUNCATE, &error) : nullptr);
+    const std::string why = archive ? std::string() : zip_error_strerror(&error);
     zip_error_fini(&error);
-    const auto check = [&](bool good) {
-        if (!good)
-            throw Error(ErrorCode::internal, "archive",
-                        archive ? printable(zip_strerror(archive.get())) : "cannot be made", "try again");
-    };
-    check(archive != nullptr);
-    Names names;
-    for (const ArchiveFile& file : files) {
-        const std::string wrong = wrong_with(file.name);
-        if (!wrong.empty() || !names.take(file.name))
-            throw Error(ErrorCode::out_of_range, printable(file.name),
-                        wrong.empty() ? "a name occurs twice" : wrong, "give the file another name");
-        Source bytes(zip_source_buffer(archive.get(), file.bytes.data(), file.bytes.size(), 0));
-        check(bytes != nullptr);
-        const zip_int64_t i = zip_file_add(archive.get(), file.name.c_str(), bytes.get(), ZIP_FL_ENC_UTF_8);
-        check(i >= 0);
-        bytes.release(); // NOLINT(bugprone-unused-return-value): the archive has it
-        // The first day that the format knows.
-        check(zip_file_set_dostime(archive.get(), zip_uint64_t(i), 0, 0x21, 0) == 0);
+    if (!archive) throw Error(ErrorCode::internal, "archive", printable(why), "try again");
+    source.release(); // NOLINT(bugprone-unused-return-value): the archive has it
+    add_entries(*archive, files);
+    constexpr double step = 0.001;
+    zip_register_progress_callback_with_state(archive.get(), step, show_progress, nullptr, &target);
+    zip_register_cancel_callback_with_state(archive.get(), is_cancelled, nullptr, &target);
+    if (zip_close(archive.get()) != 0) {
+        if (target.thrown) std::rethrow_exception(target.thrown);
+        progress.check();
+        throw Error(ErrorCode::internal, "archive", printable(zip_strerror(archive.get())), "try again");
     }
-    check(zip_close(archive.get()) == 0);
     archive.release(); // NOLINT(bugprone-unused-return-value): closed
-    zip_stat_t size;
+    progress.check();
+}
+
+std::string archive_bytes(const std::vector<ArchiveFile>& files) {
+    std::vector<ArchiveEntry> entries;
+    for (const ArchiveFile& file : files)
+        entries.push_back({file.name, file.bytes});
     std::string bytes;
-    if (zip_source_stat(made, &size) == 0 && zip_source_open(made) == 0) {
-        bytes.resize(size.size);
-        if (zip_source_read(made, bytes.data(), bytes.size()) != zip_int64_t(bytes.size())) bytes.clear();
-        zip_source_close(made);
-    }
-    if (bytes.empty()) throw Error(ErrorCode::internal, "archive", "cannot be made", "try again");
+    write_archive(entries, [&](std::uint64_t at, std::string_view piece) {
+        bytes.resize(std::max(bytes.size(), std::size_t(at) + piece.size()));
+        std::copy(piece.begin(), piece.end(), bytes.begin() + std::ptrdiff_t(at));
+    });
     return bytes;
 }
 
-std::vector<ArchiveFile> read_archive(std::string_view bytes, const std::string& name,
-                                      const ArchiveLimits& limits) {
-    const Archive archive = open_archive(bytes, name);
-    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-    if (count < 0 || std::uint64_t(count) > limits.files)
-        throw Error(ErrorCode::limit_exceeded, name,
-                    "holds " + std::to_string(count) + " files, more than " + std::to_string(limits.files),
-                    "unpack it by other means, if you trust it");
-    std::vector<std::pair<zip_uint64_t, std::uint64_t>> plain; // place, size
-    std::vector<ArchiveFile> files;
-    Names names;
-    std::uint64_t total = 0;
-    for (zip_uint64_t i = 0; i < zip_uint64_t(count); ++i) {
+class ArchiveReader::Entries {
+public:
+    Entries(std::string_view bytes, std::string of, const ArchiveLimits& limits)
+        : name(std::move(of)), archive(open_archive(bytes, name)) {
+        const zip_int64_t n = zip_get_num_entries(archive.get(), 0);
+        if (n < 0 || std::uint64_t(n) > limits.files)
+            throw Error(ErrorCode::limit_exceeded, name,
+                        "holds " + std::to_string(n) + " files, more than " + std::to_string(limits.files),
+                        "unpack it by other means, if you trust it");
+        const std::uint64_t allowed = std::min(
+            limits.bytes, std::max(limits.always_allowed, std::uint64_t(bytes.size()) * limits.times_larger));
+        Names names;
+        std::uint64_t left = allowed;
+        for (zip_uint64_t i = 0; i < zip_uint64_t(n); ++i) {
+            Entry entry;
+            if (!look_at(i, names, entry)) continue;
+            if (entry.size > left)
+                throw Error(ErrorCode::limit_exceeded, name + ": " + printable(entry.name),
+                            "is more than " + std::to_string(allowed)
+                                + " bytes with those before it, unpacked",
+                            "unpack it by other means, if you trust it");
+            left -= entry.size;
+            all.push_back(std::move(entry));
+        }
+    }
+
+    struct Entry {
+        std::string name;
+        zip_uint64_t place = 0;
+        std::uint64_t size = 0;
+    };
+    std::string name;
+    Archive archive;
+    std::vector<Entry> all;
+
+private:
+    /// False for a folder.
+    bool look_at(zip_uint64_t i, Names& names, Entry& entry) const {
         zip_stat_t said;
         if (zip_stat_index(archive.get(), i, ZIP_FL_ENC_STRICT, &said) != 0
             || (said.valid & ZIP_STAT_NAME) == 0 || (said.valid & ZIP_STAT_SIZE) == 0)
             damaged(name, "an entry has no name or no size");
-        std::string entry = said.name;
-        const std::string where = name + ": " + printable(entry);
-        const bool ends_as_folder = entry.ends_with('/');
-        if (ends_as_folder) entry.pop_back();
-        if (const std::string wrong = wrong_with(entry); !wrong.empty()) damaged(where, wrong);
-        if (!is_plain(*archive, i, where) || ends_as_folder) continue;
-        if (!names.take(entry)) damaged(where, "the name occurs twice");
+        entry = {said.name, i, said.size};
+        const std::string where = name + ": " + printable(entry.name);
+        const bool ends_as_folder = entry.name.ends_with('/');
+        if (ends_as_folder) entry.name.pop_back();
+        if (const std::string wrong = wrong_with(entry.name); !wrong.empty()) damaged(where, wrong);
+        if (!is_plain(*archive, i, where) || ends_as_folder) return false;
+        if (!names.take(entry.name)) damaged(where, "the name occurs twice");
         if ((said.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && said.encryption_method != ZIP_EM_NONE)
-            throw Error(ErrorCode::unsupported_format, where, "is encrypted", "have it packed without");
-        if (said.size > limits.bytes - total)
-            throw Error(ErrorCode::limit_exceeded, where,
-                        "is more than " + std::to_string(limits.bytes)
-                            + " bytes with those before it, unpacked",
-                        "unpack it by other means, if you trust it");
-        total += said.size;
-        plain.emplace_back(i, said.size);
-        files.push_back({std::move(entry), {}});
+            throw Error(ErrorCode::unsupported_format, where, "is encrypted",
+                        "have it packed without a password");
+        return true;
     }
-    for (std::size_t k = 0; k < files.size(); ++k)
-        files[k].bytes =
-            entry_bytes(*archive, plain[k].first, plain[k].second, name + ": " + printable(files[k].name));
+};
+
+ArchiveReader::ArchiveReader(std::string_view bytes, const std::string& name, const ArchiveLimits& limits)
+    : entries_(std::make_unique<const Entries>(bytes, name, limits)) {}
+
+ArchiveReader::~ArchiveReader() = default;
+
+std::size_t ArchiveReader::count() const {
+    return entries_->all.size();
+}
+
+const std::string& ArchiveReader::entry_name(std::size_t i) const {
+    return entries_->all.at(i).name;
+}
+
+std::uint64_t ArchiveReader::size(std::size_t i) const {
+    return entries_->all.at(i).size;
+}
+
+std::string ArchiveReader::where(std::size_t i) const {
+    return entries_->name + ": " + printable(entry_name(i), 400);
+}
+
+void ArchiveReader::read(std::size_t i, const std::function<void(std::string_view)>& take,
+                         const Progress& progress) const {
+    const std::uint64_t said = size(i);
+    const std::unique_ptr<zip_file_t, Close> file(
+        zip_fopen_index(entries_->archive.get(), entries_->all[i].place, 0));
+    if (!file) damaged(where(i), printable(zip_strerror(entries_->archive.get())));
+    // What is said of the size may be a lie.
+    std::string piece(1 << 18, '\0');
+    std::uint64_t got = 0;
+    while (true) {
+        const zip_int64_t n = zip_fread(file.get(), piece.data(), piece.size());
+        if (n < 0) damaged(where(i), "it cannot be unpacked");
+        if (n == 0) break;
+        got += std::uint64_t(n);
+        if (got > said) damaged(where(i), "it is larger than it says");
+        take(std::string_view(piece).substr(0, std::size_t(n)));
+        progress.set(double(got) / double(said));
+    }
+    if (got != said) damaged(where(i), "it is smaller than it says");
+}
+
+std::string ArchiveReader::bytes(std::size_t i) const {
+    std::string all;
+    read(i, [&](std::string_view piece) { all += piece; });
+    return all;
+}
+
+std::vector<ArchiveFile> read_archive(std::string_view bytes, const std::string& name,
+                                      const ArchiveLimits& limits) {
+    const ArchiveReader reader(bytes, name, limits);
+    std::vector<ArchiveFile> files;
+    for (std::size_t i = 0; i < reader.count(); ++i)
+        files.push_back({reader.entry_name(i), reader.bytes(i)});
     return files;
 }
 

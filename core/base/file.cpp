@@ -1,6 +1,7 @@
 #include "core/base/file.h"
 
 #include "core/base/leftovers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,7 +31,7 @@ std::string system_text(int number) {
 /// abandon_outputs finds either all of it or nothing.
 struct Temporaries {
     std::recursive_mutex mutex; ///< recursive: a set commits files
-    std::vector<fs::path> paths;
+    std::vector<fs::path> paths, folders;
     std::size_t committed = 0; ///< outputs that stand in their places
 };
 
@@ -111,6 +113,8 @@ bool abandon_outputs(std::size_t before) {
     std::error_code ec;
     for (const fs::path& p : temporaries().paths)
         fs::remove(p, ec);
+    for (const fs::path& p : temporaries().folders)
+        fs::remove_all(p, ec);
     lock.release(); // stays locked
     return true;
 }
@@ -377,6 +381,85 @@ InputsKept::~InputsKept() {
     Inputs& all = inputs();
     const std::lock_guard lock(all.mutex);
     if (--all.keepers == 0) all.files.clear();
+}
+
+namespace {
+
+constexpr std::string_view folder_prefix = "facetmill-packed.";
+
+/// The folder, locked; -1 where somebody else has it or it is gone.
+int lock_folder(const fs::path& path) {
+    const int fd = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (fd < 0) return -1;
+    struct ::stat opened {
+    }, named{};
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0 && ::fstat(fd, &opened) == 0 && ::lstat(path.c_str(), &named) == 0
+        && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev && opened.st_uid == ::geteuid())
+        return fd;
+    ::close(fd);
+    return -1;
+}
+
+/// Removes folders that killed runs of this user left.
+void clear_folders(const fs::path& place) {
+    std::error_code ec;
+    for (fs::directory_iterator it(place, ec), end; !ec && it != end; it.increment(ec)) {
+        if (!it->path().filename().string().starts_with(folder_prefix)) continue;
+        const int fd = lock_folder(it->path());
+        if (fd < 0) continue;
+        std::error_code none;
+        fs::remove_all(it->path(), none);
+        ::close(fd);
+    }
+}
+
+} // namespace
+
+TemporaryFolder::TemporaryFolder(std::string stands_for) {
+    std::error_code ec;
+    const fs::path place = fs::temp_directory_path(ec);
+    const auto fail = [&](const std::string& why) {
+        throw Error(ErrorCode::unwritable, printable(ec ? "TMPDIR" : place.string(), 400),
+                    "no temporary folder can be made: " + why,
+                    "check the folder, its permissions and the free space, or name another one in TMPDIR");
+    };
+    if (ec) fail(ec.message());
+    const TemporariesLock lock(temporaries().mutex);
+    clear_folders(place);
+    constexpr int attempts = 8; // another run may take one for left over before it is locked
+    for (int i = 0; i < attempts && lock_ < 0; ++i) {
+        std::string made = (place / (std::string(folder_prefix) + "XXXXXX")).string();
+        if (!::mkdtemp(made.data())) fail(system_text(errno));
+        path_ = made;
+        lock_ = lock_folder(path_);
+    }
+    if (lock_ < 0) fail("it cannot be locked");
+    temporaries().folders.push_back(path_);
+    detail::show_as(path_.string(), std::move(stands_for));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    const TemporariesLock lock(temporaries().mutex);
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+    std::erase(temporaries().folders, path_);
+    detail::show_as(path_.string(), {});
+    ::close(lock_);
+}
+
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> TemporaryFolder::create(const fs::path& relative) const {
+    // None appears once `abandon_outputs` has removed the folder.
+    const TemporariesLock lock(temporaries().mutex);
+    const fs::path file = path_ / relative;
+    std::error_code ec;
+    fs::create_directories(file.parent_path(), ec);
+    constexpr mode_t mine = 0600;
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mine);
+    std::FILE* const stream = fd < 0 ? nullptr : ::fdopen(fd, "wb");
+    if (!stream)
+        throw Error(ErrorCode::unwritable, printable(file.string(), 400),
+                    "cannot be unpacked: " + system_text(errno), "check the free space of temporary files");
+    return {stream, &std::fclose};
 }
 
 void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output) {

@@ -100,13 +100,33 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
+/// A folder of its own in the system's place for temporary files, for this user alone; it goes with its
+/// object, and with `abandon_outputs`. What killed runs left goes when the next one is made. Texts for users
+/// (`printable`) call what lies in it by the name it stands for: "sent.facetmill: part.stl".
+class TemporaryFolder {
+public:
+    /// Throws Error(unwritable).
+    explicit TemporaryFolder(std::string stands_for);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Makes a file, and folders on the way, that are not there yet. Throws Error(unwritable).
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> create(const std::filesystem::path& relative) const;
+
+private:
+    std::filesystem::path path_;
+    int lock_ = -1; ///< locked as long as it lives
+};
+
 /// How many outputs this process has committed.
 std::size_t committed_outputs();
 
-/// Removes the temporary files of all outputs that are not committed, waiting for a commit that is under way,
-/// and lets none be made or committed from then on: for a process that ends at once. Does not return control
-/// over outputs to anyone: threads that use one wait for ever. Where more have been committed than `before`,
-/// it is too late to undo the job: does nothing and returns false.
+/// Removes temporary folders and the temporary files of all outputs that are not committed, waiting for a
+/// commit that is under way, and lets none be made or committed from then on: for a process that ends at
+/// once. Does not return control over outputs to anyone: threads that use one wait for ever. Where more have
+/// been committed than `before`, it is too late to undo the job: does nothing and returns false.
 bool abandon_outputs(std::size_t before);
 
 } // namespace facetmill

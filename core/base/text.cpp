@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <shared_mutex>
+#include <utility>
 
 namespace facetmill {
 
@@ -54,8 +59,48 @@ bool is_hidden(char32_t c) {
 
 } // namespace
 
+namespace {
+
+/// Folders that users do not know, and what they know them by.
+struct ShownFolders {
+    std::shared_mutex mutex;
+    std::atomic<std::size_t> count{0}; ///< mostly none
+    std::map<std::string, std::string> names;
+};
+
+ShownFolders& shown_folders() {
+    static auto* all = new ShownFolders; // outlives every thread
+    return *all;
+}
+
+std::string with_known_names(std::string text) {
+    ShownFolders& folders = shown_folders();
+    const std::shared_lock lock(folders.mutex);
+    for (const auto& [folder, name] : folders.names)
+        for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
+            const std::size_t end = at + folder.size();
+            const bool inside = end + 1 < text.size() && text[end] == '/';
+            text.replace(at, folder.size() + (inside ? 1 : 0), name + (inside ? ": " : ""));
+            at += name.size();
+        }
+    return text;
+}
+
+} // namespace
+
+void detail::show_as(const std::string& folder, std::string name) {
+    ShownFolders& folders = shown_folders();
+    const std::unique_lock lock(folders.mutex);
+    if (name.empty())
+        folders.names.erase(folder);
+    else
+        folders.names[folder] = std::move(name);
+    folders.count = folders.names.size();
+}
+
 std::string printable(std::string_view text, std::size_t max_bytes) {
-    std::string out;
+    std::string known, out;
+    if (shown_folders().count > 0) text = known = with_known_names(std::string(text));
     for (std::size_t i = 0; i < text.size();) {
         const Character c = character_at(text, i);
         const std::size_t step = std::max<std::size_t>(c.bytes, 1);

@@ -18,4 +18,11 @@ void check_text(std::string_view text, const std::string& place);
 /// Error(encoding), whose place is `place`, where it is not UTF-8.
 std::string json_text(std::string_view text, const std::string& place);
 
+namespace detail {
+
+/// From now on `printable` writes "name: file" for "folder/file"; an empty name ends that.
+void show_as(const std::string& folder, std::string name);
+
+} // namespace detail
+
 } // namespace facetmill

@@ -50,8 +50,8 @@ private slots:
                                  "C:cdefgh", "abcdef/.", "a\ncdefgh", "second/b", "SECOND/B"})
             QCOMPARE(code_of([&] { read_archive(renamed(sound, "abcdefgh", name), "it"); }),
                      std::string("syntax"));
-        const std::string way = archive_bytes({{"folder", "x"}, {"folde2/b", "y"}});
-        QCOMPARE(code_of([&] { read_archive(renamed(way, "folde2/b", "folder/b"), "it"); }),
+        const std::string folder = archive_bytes({{"folder", "x"}, {"folde2/b", "y"}});
+        QCOMPARE(code_of([&] { read_archive(renamed(folder, "folde2/b", "folder/b"), "it"); }),
                  std::string("syntax"));
         for (const char* name : {"/a", "..", "a/../b", "a\\b", ""})
             QCOMPARE(code_of([&] { archive_bytes({{name, "x"}}); }), std::string("out_of_range"));
@@ -74,6 +74,38 @@ private slots:
         QCOMPARE(read_archive(bytes, "it", {2, 2001}).size(), std::size_t(2));
         QCOMPARE(code_of([&] { read_archive(bytes, "it", {2, 2000}); }), std::string("limit_exceeded"));
         QCOMPARE(code_of([&] { read_archive(bytes, "it", {1, 2001}); }), std::string("limit_exceeded"));
+    }
+
+    /// A mesh does not shrink to a hundredth; what is small anyway may.
+    void archives_that_swell_are_refused() {
+        const std::string bytes = archive_bytes({{"a", zeros(1'000'000)}});
+        QVERIFY(bytes.size() * 200 < 1'000'000);
+        QCOMPARE(read_archive(bytes, "it").size(), std::size_t(1));
+        QCOMPARE(code_of([&] { read_archive(bytes, "it", {.always_allowed = 999'999}); }),
+                 std::string("limit_exceeded"));
+    }
+
+    void cancelled_or_failed_writing_ends() {
+        const std::string much = zeros(30'000'000);
+        Job job;
+        job.cancel_at(0.5);
+        bool cancelled = false;
+        std::size_t written = 0;
+        try {
+            write_archive(
+                {{"a", much}}, [&](std::uint64_t, std::string_view bytes) { written += bytes.size(); },
+                Progress(job));
+        } catch (const Cancelled&) {
+            cancelled = true;
+        }
+        QVERIFY(cancelled);
+        QVERIFY(written < 30'000);
+        QCOMPARE(code_of([&] {
+                     write_archive({{"a", "some"}}, [](std::uint64_t, std::string_view) {
+                         throw Error(ErrorCode::unwritable, "disk", "is full", "");
+                     });
+                 }),
+                 std::string("unwritable"));
     }
 
     void sizes_that_lie_are_found() {
