@@ -15,6 +15,8 @@
 
 namespace facetmill {
 
+class TemporaryFolder; // core/base/file.h
+
 struct PartSpec {
     std::string file; ///< as written: relative to the project file, or absolute
     LengthUnit unit = LengthUnit::mm;
@@ -41,6 +43,8 @@ struct Project : Setup {
     VerifyLimits limits; ///< key "verification"
     std::vector<Tool> tools;
     std::vector<Setup> before, after; ///< the other setups, in machining order
+    /// Folder of a packed project, with its files: it lives as long as one of the project's copies.
+    std::shared_ptr<const TemporaryFolder> unpacked;
 
     std::filesystem::path part_path() const;
     std::filesystem::path stock_path() const; ///< of the stock's file; empty where it has none
@@ -69,7 +73,8 @@ struct Project : Setup {
 /// `shank_diameter`: the tool's diameter). Throws Error(syntax, truncated, encoding, limit_exceeded,
 /// unknown_key, wrong_type, out_of_range, missing_key, missing_reference, newer_version, files ...) whose
 /// place is "file: operations[0].tolerance". Older versions are migrated. In a file of version 2 the place is
-/// "file: setups[0].operations[0].tolerance"; the view is on its first setup.
+/// "file: setups[0].operations[0].tolerance"; the view is on its first setup. A packed project
+/// (core/job/packed_project.h) is read as well: its files are in a temporary folder while it or a copy lives.
 Project load_project(const std::filesystem::path& path);
 Project parse_project(std::string_view json, const std::string& name);
 /// Parsing and writing again gives the same text; which setup the view is on makes no difference. Throws

@@ -1,7 +1,9 @@
 // The project file: reading with every key checked, and writing what reads back the same.
+#include "core/base/archive.h"
 #include "core/base/file.h"
 #include "core/base/parameter_json.h"
 #include "core/base/text.h"
+#include "core/job/packed_project.h"
 #include "core/job/project.h"
 #include "core/job/project_migrate.h"
 
@@ -205,6 +207,7 @@ Project parse_project(std::string_view json, const std::string& name) {
 
 Project load_project(const std::filesystem::path& path) {
     const InputFile file(path);
+    if (is_archive(file.bytes())) return load_packed(file);
     Project project = parse_project(file.bytes(), printable(path.string(), 400));
     project.path = path;
     return project;

@@ -74,15 +74,27 @@ void check_inputs(const Project& project) {
     std::string keys, places;
     for (const ProjectInput& input : missing_inputs(project)) {
         if (input.kind == ProjectInput::Kind::post) continue;
-        std::string key(input_name(input.kind));
-        if (input.kind == ProjectInput::Kind::fixture) key = "fixtures[" + std::to_string(input.place) + "]";
-        if (input.kind != ProjectInput::Kind::machine) key += ".file";
-        keys += (keys.empty() ? "" : ", ") + key;
+        keys += (keys.empty() ? "" : ", ") + input_key(input);
         places += (places.empty() ? "" : ", ") + printable(input.path.string(), 400);
     }
     if (!keys.empty())
         throw Error(ErrorCode::not_found, keys, "there is no file " + places,
                     "put it there, or name another one in the project");
+}
+
+const std::string& written_name(const Project& project, const ProjectInput& input) {
+    return input_file(const_cast<Project&>(project), input); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+std::string input_key(const ProjectInput& input) {
+    using Kind = ProjectInput::Kind;
+    if (input.kind == Kind::fixture) return "fixtures[" + std::to_string(input.place) + "].file";
+    const bool named_itself = input.kind == Kind::machine || input.kind == Kind::post;
+    return std::string(input_name(input.kind)) + (named_itself ? "" : ".file");
+}
+
+void write_name(Project& project, const ProjectInput& input, const std::string& name) {
+    input_file(project, input) = name;
 }
 
 void set_input(Project& project, const ProjectInput& input, const fs::path& file) {
@@ -95,7 +107,7 @@ void set_input(Project& project, const ProjectInput& input, const fs::path& file
         // A folder on the way that is a link has another folder above it than its name says.
         if (!relative.empty() && fs::equivalent(folder / relative, absolute, ec) && !ec) named = relative;
     }
-    input_file(project, input) = named.generic_string();
+    write_name(project, input, named.generic_string());
 }
 
 void take_inputs(Project& to, const Project& from) {

@@ -32,6 +32,12 @@ std::vector<ProjectInput> missing_inputs(const Project& project);
 /// Throws Error(not_found) that names all files that planning reads and that are missing.
 void check_inputs(const Project& project);
 
+/// What the project says of one, as it is written.
+const std::string& written_name(const Project& project, const ProjectInput& input);
+/// "part.file", "fixtures[2].file", "machine", "post".
+std::string input_key(const ProjectInput& input);
+/// Writes a name in the place of one; `set_input` finds it for a file.
+void write_name(Project& project, const ProjectInput& input, const std::string& name);
 /// Names another file in the place of one, relative to the project's where that has a place on disk and links
 /// on the way do not lead elsewhere.
 void set_input(Project& project, const ProjectInput& input, const std::filesystem::path& file);
