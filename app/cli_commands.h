@@ -14,6 +14,8 @@ Command cspace_command();
 Command drop_command();
 Command render_command();
 Command report_command();
+Command pack_command();
+Command unpack_command();
 Command reference_command();
 
 /// All, in the order of the help.

@@ -53,8 +53,8 @@ private slots:
         const CliRun help = run_cli({"--help"}, s.path());
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
-        for (const char* command :
-             {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render", "reference"}) {
+        for (const char* command : {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render",
+                                    "pack", "unpack", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);
@@ -76,6 +76,9 @@ private slots:
                                  "info part.stl --unit mm",
                                  "info part.stl --units mm --units in",
                                  "info part.stl --units=",
+                                 "pack p.facetmill",
+                                 "pack -o a.facetmill",
+                                 "unpack a.facetmill",
                                  "place part.stl",
                                  "place part.stl --on",
                                  "place part.stl --on side",
@@ -264,6 +267,40 @@ private slots:
         const CliRun far = run_cli({"place", "bar.stl", "--on", "123456"}, s.path());
         QCOMPARE(far.status, 1);
         QVERIFY(far.err.contains("--on"));
+    }
+
+    void packed_projects_are_told_by_their_name() {
+        Sandbox s;
+        s.write("part.stl", "no mesh at all");
+        s.write("p.facetmill", good_project);
+        const CliRun packed = run_cli({"pack", "p.facetmill", "-o", "sent.facetmill"}, s.path());
+        QVERIFY2(packed.status == 0, packed.err.constData());
+        const QJsonObject told = json(packed.out);
+        QCOMPARE(told["project"].toString(), QString("p.facetmill"));
+        QCOMPARE(told["files"][1].toObject()["name"].toString(), QString("files/part.stl"));
+        const CliRun failed = run_cli({"plan", "sent.facetmill", "-o", "out"}, s.path());
+        QCOMPARE(failed.status, 1);
+        QVERIFY2(failed.err.contains("] sent.facetmill: files/part.stl: "), failed.err.constData());
+        QCOMPARE(failed.err_lines(), 1);
+        for (const QString output : {"sent.facetmill", "./sent.facetmill", "p.facetmill", "part.stl"}) {
+            const QByteArray before = bytes_of(s.path() + "/" + output);
+            const QString from = output.contains("sent") ? "sent.facetmill" : "p.facetmill";
+            const CliRun over = run_cli({"pack", from, "-o", output}, s.path());
+            QCOMPARE(over.status, 1);
+            QCOMPARE(over.code(), QByteArray("unwritable"));
+            QVERIFY(bytes_of(s.path() + "/" + output) == before);
+        }
+        const QByteArray whole = bytes_of(s.path() + "/sent.facetmill");
+        s.write("cut.facetmill", whole.left(whole.size() / 2));
+        const CliRun cut = run_cli({"unpack", "cut.facetmill", "-o", "there"}, s.path());
+        QCOMPARE(cut.status, 1);
+        QVERIFY2(cut.err.contains("cut.facetmill: is no sound archive"), cut.err.constData());
+        QVERIFY(!QDir(s.path() + "/there").exists());
+        const CliRun unpacked = run_cli({"unpack", "sent.facetmill", "-o", "there"}, s.path());
+        QVERIFY2(unpacked.status == 0, unpacked.err.constData());
+        QCOMPARE(json(unpacked.out)["files"][0].toObject()["file"].toString(), QString("there/p.facetmill"));
+        QCOMPARE(s.files("there"), QStringList({"files", "p.facetmill"}));
+        QCOMPARE(run_cli({"unpack", "sent.facetmill", "-o", "there"}, s.path()).status, 1);
     }
 
     void samples_are_in_their_units() {

@@ -75,6 +75,20 @@ private slots:
         QCOMPARE(block.file("one/02-Below.apt"), block.file("out/02-Below.apt"));
     }
 
+    /// Packed it is the same project: the same programs, from wherever it lies.
+    void packed_it_plans_the_same() {
+        const Block block;
+        QCOMPARE(block.run({"pack", "job.facetmill", "-o", "sent.facetmill"}).status, 0);
+        QCOMPARE(block.run({"plan", "job.facetmill", "-o", "out"}).status, 0);
+        QVERIFY(QFile::remove(block.path() + "/block.stl"));
+        const CliRun run = block.run({"plan", "sent.facetmill", "-o", "packed"});
+        QVERIFY2(run.status == 0, run.err.constData());
+        QCOMPARE(block.files("packed"), block.files("out"));
+        for (const QString& name : block.files("out"))
+            if (name != "report.json") QCOMPARE(block.file("packed/" + name), block.file("out/" + name));
+        QCOMPARE(block.files(), QStringList({"job.facetmill", "out", "packed", "sent.facetmill"}));
+    }
+
     void simulate_judges_them_as_one() {
         const Block block;
         const CliRun run = block.run({"simulate", "job.facetmill", "--resolution", "0.4", "-o", "out"});
