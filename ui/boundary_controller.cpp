@@ -78,6 +78,7 @@ BoundaryController::BoundaryController(Document& document, Viewport& viewport, B
     connect(&curve_, &CurveTool::refused, this, [this] {
         messages_.information(tr("A closed curve has three corners or more: click on the part."));
     });
+    connect(&facets_, &FacetTool::settled, this, [this] { emit settled(); });
     connect(&job_, &BackgroundJob::ended, this, [this] { emit settled(); });
 }
 
@@ -116,6 +117,7 @@ void BoundaryController::begin() {
 }
 
 void BoundaryController::end() {
+    facets_.end();
     if (!viewport_.tool()) return;
     viewport_.set_tool(nullptr);
     messages_.dismiss();

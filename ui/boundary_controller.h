@@ -33,7 +33,7 @@ public:
     void node_chosen(const std::optional<TreeNode>& node) override;
     /// Esc ends painting, Enter closes a curve, Backspace takes its last corner back.
     bool take_key(const QKeyEvent& event) override;
-    bool busy() const override { return job_.running(); }
+    bool busy() const override { return job_.running() || facets_.busy(); }
 
 signals:
     /// A click in the view is for a boundary now.

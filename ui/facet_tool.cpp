@@ -20,13 +20,16 @@ constexpr double min_box = 3;
 
 } // namespace
 
-FacetTool::FacetTool(Viewport& viewport, QObject* parent) : QObject(parent), viewport_(viewport) {}
+FacetTool::FacetTool(Viewport& viewport, QObject* parent) : QObject(parent), viewport_(viewport) {
+    connect(&search_, &BackgroundJob::ended, this, [this] { emit settled(); });
+}
 
 void FacetTool::begin(std::shared_ptr<FacetPainter> painter, std::vector<char> marks) {
     painter_ = std::move(painter);
     marks_ = std::move(marks);
     changed_ = false;
     corner_.reset();
+    search_.cancel();
 }
 
 void FacetTool::take(const std::vector<Index>& facets) {
@@ -54,6 +57,7 @@ bool FacetTool::touch(const QPointF& at) {
 
 bool FacetTool::press(const QPointF& at, Qt::KeyboardModifiers keys) {
     if (!painter_) return false;
+    if (busy()) return true;
     in_ = settings_.erase == bool(keys & Qt::ShiftModifier);
     changed_ = false;
     last_ = at;
@@ -63,7 +67,7 @@ bool FacetTool::press(const QPointF& at, Qt::KeyboardModifiers keys) {
 }
 
 void FacetTool::drag(const QPointF& at, Qt::KeyboardModifiers) {
-    if (settings_.shape != PaintSettings::Shape::brush) return;
+    if (busy() || settings_.shape != PaintSettings::Shape::brush) return;
     const double mm = viewport_.scene().camera().pixel_size() * viewport_.devicePixelRatioF();
     const double step = std::max(min_step, mm > 0 ? brush_step * settings_.radius / mm : 0);
     const QPointF travel = at - last_;
@@ -80,13 +84,28 @@ void FacetTool::release(const QPointF& at, Qt::KeyboardModifiers keys) {
     drag(at, keys);
     if (const auto from = std::exchange(corner_, std::nullopt)) {
         const QRectF box = QRectF(*from, at).normalized();
-        const double ratio = viewport_.devicePixelRatioF();
-        if (std::max(box.width(), box.height()) >= min_box)
-            take(viewport_.scene().part().facets_in(Vec2(box.left(), box.top()) * ratio,
-                                                    Vec2(box.right(), box.bottom()) * ratio,
-                                                    settings_.through));
+        if (std::max(box.width(), box.height()) >= min_box) take_box(box);
         viewport_.update();
     }
+    end_stroke();
+}
+
+/// On a million facets it takes a second to find those that are seen: not in the window's thread.
+void FacetTool::take_box(const QRectF& box) {
+    const double ratio = viewport_.devicePixelRatioF();
+    const auto search = viewport_.scene().part().facets_in(
+        Vec2(box.left(), box.top()) * ratio, Vec2(box.right(), box.bottom()) * ratio, settings_.through);
+    const auto found = std::make_shared<std::vector<Index>>();
+    search_.start(
+        tr("Finding facets in a box"), [search, found](const Progress& p) { *found = search(p); },
+        [this, found, of = painter_](const JobEnd& end) {
+            if (!end.done() || painter_ != of) return;
+            take(*found);
+            end_stroke();
+        });
+}
+
+void FacetTool::end_stroke() {
     if (std::exchange(changed_, false)) emit stroke_ended();
 }
 

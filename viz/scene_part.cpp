@@ -106,10 +106,9 @@ bool ScenePart::hides(const Vec3& place) const {
     return hit.distance < back - slack;
 }
 
-std::vector<Index> ScenePart::facets_in(const Vec2& from, const Vec2& to, bool through) const {
+ScenePart::FacetSearch ScenePart::facets_in(const Vec2& from, const Vec2& to, bool through) const {
     const SceneCamera& camera = stage_.camera;
-    if (!part_ || camera.pixel_size() <= 0) return {};
-    const Mesh& mesh = *part_->mesh;
+    if (!part_ || camera.pixel_size() <= 0) return [](const Progress&) { return std::vector<Index>(); };
     // Projection is parallel: pixels are linear in places.
     const Vec3 origin = part_->center;
     const Vec2 first = camera.display_of(origin);
@@ -119,23 +118,27 @@ std::vector<Index> ScenePart::facets_in(const Vec2& from, const Vec2& to, bool t
         along.col(k) = (camera.display_of(origin + step * Vec3::Unit(k)) - first) / step;
     const Vec2 lo = from - first, hi = to - first;
     const Vec3 toward = camera.toward_eye();
-    const double back = 2 * part_->box.diagonal(), slack = 1e-6 * part_->box.diagonal();
-    std::vector<char> in(mesh.facet_count(), 0);
-    constexpr std::size_t facets_per_block = 2048;
-    parallel_for(mesh.facet_count(), facets_per_block, {}, [&](std::size_t f) {
-        Vec3 middle = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-            const Vec3& corner = mesh.corner(f, k);
-            const Vec2 at = along * (corner - origin);
-            if ((at.array() < lo.array()).any() || (at.array() > hi.array()).any()) return;
-            middle += corner / 3;
-        }
-        in[f] = through || part_->sights.first(mesh, middle + back * toward, -toward).distance > back - slack;
-    });
-    std::vector<Index> found;
-    for (std::size_t f = 0; f < in.size(); ++f)
-        if (in[f]) found.push_back(Index(f));
-    return found;
+    return [=, part = part_](const Progress& progress) {
+        const Mesh& mesh = *part->mesh;
+        const double back = 2 * part->box.diagonal(), slack = 1e-6 * part->box.diagonal();
+        std::vector<char> in(mesh.facet_count(), 0);
+        constexpr std::size_t facets_per_block = 2048;
+        parallel_for(mesh.facet_count(), facets_per_block, progress, [&](std::size_t f) {
+            Vec3 middle = Vec3::Zero();
+            for (int k = 0; k < 3; ++k) {
+                const Vec3& corner = mesh.corner(f, k);
+                const Vec2 at = along * (corner - origin);
+                if ((at.array() < lo.array()).any() || (at.array() > hi.array()).any()) return;
+                middle += corner / 3;
+            }
+            in[f] =
+                through || part->sights.first(mesh, middle + back * toward, -toward).distance > back - slack;
+        });
+        std::vector<Index> found;
+        for (std::size_t f = 0; f < in.size(); ++f)
+            if (in[f]) found.push_back(Index(f));
+        return found;
+    };
 }
 
 bool ScenePart::covers() const {

@@ -4,6 +4,7 @@
 #include "viz/part_display.h"
 #include "viz/scene_layer.h"
 
+#include <functional>
 #include <optional>
 
 namespace facetmill {
@@ -39,7 +40,9 @@ public:
     bool hides(const Vec3& place) const;
     /// Facets that lie wholly within a rectangle of the window, device pixels from its upper left to its
     /// lower right corner, ascending; unless `through`, those alone whose middle is seen.
-    std::vector<Index> facets_in(const Vec2& from, const Vec2& to, bool through) const;
+    using FacetSearch = std::function<std::vector<Index>(const Progress&)>;
+    /// As they are seen now, whatever becomes of the view until the search is called, in any thread.
+    FacetSearch facets_in(const Vec2& from, const Vec2& to, bool through) const;
     /// As it is drawn; null without a part.
     const PartDisplayPtr& display() const { return part_; }
     /// All of it or, of a large one, a piece: how it looks, and the points that all pieces share.

@@ -127,8 +127,8 @@ int main(int argc, char** argv) {
         timer.restart();
         work();
         run_for(1);
-        row(what, 0);
         wait(window);
+        row(what, 0);
     };
     press("paint_flood");
     once("flood", [&] {

@@ -361,6 +361,15 @@ private slots:
         press_button("paint_through");
         drag(whole.topLeft(), whole.bottomRight());
         QCOMPARE(painted().size(), part().facet_count());
+        // Esc while they are still looked for: nothing comes after it.
+        press_button("paint_clear");
+        const int steps = w().document().undo_stack().count();
+        QTest::mousePress(&w().viewport(), Qt::LeftButton, {}, whole.topLeft());
+        move_to(whole.topLeft(), whole.bottomRight(), {});
+        QTest::mouseRelease(&w().viewport(), Qt::LeftButton, {}, whole.bottomRight());
+        QTest::keyClick(&w().viewport(), Qt::Key_Escape);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(painted().empty() && w().document().undo_stack().count() == steps);
     }
 
     void all_at_once() {
