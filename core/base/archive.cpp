@@ -241,6 +241,7 @@ void write_archive(const std::vector<ArchiveEntry>& files, const ArchiveWriter& 
 
 std::string archive_bytes(const std::vector<ArchiveFile>& files) {
     std::vector<ArchiveEntry> entries;
+    entries.reserve(files.size());
     for (const ArchiveFile& file : files)
         entries.push_back({file.name, file.bytes});
     std::string bytes;

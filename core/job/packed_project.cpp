@@ -115,7 +115,10 @@ public:
             const Project view = view_of_setup(project, i);
             for (const ProjectInput& input : project_inputs(view)) {
                 const std::string& file = written_name(view, input);
-                if (names.contains(from.empty() ? file : from + "/" + file)) continue;
+                std::string entry_name = from;
+                if (!from.empty()) entry_name += '/';
+                entry_name += file;
+                if (names.contains(entry_name)) continue;
                 throw Error(ErrorCode::missing_reference, archive.where(entry) + ": " + input_key(input),
                             "'" + printable(file) + "' is not in the packed file",
                             "have the project packed again, with all its files");
