@@ -9,6 +9,7 @@
 #include <QPixmapCache>
 #include <QTest>
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace facetmill;
@@ -73,6 +74,10 @@ private slots:
             if (k % rounds_a_window == 0) {
                 close_window();
                 if (k + rounds_a_window > rounds / 10 && early.allocated == 0) early = memory_in_use();
+                if (asked > 0 && k > 0 && k % std::max(rounds / 10, rounds_a_window) == 0) {
+                    std::printf("after %d rounds: in use %.3f MB\n", k, memory_in_use().allocated / 1e6);
+                    std::fflush(stdout);
+                }
                 QVERIFY(show_window());
                 w().resize(640, 480); // less to draw
             }
