@@ -2,6 +2,7 @@
 #include "ui/fixture_list.h"
 
 #include "core/base/file.h"
+#include "core/job/packed_project.h"
 #include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
@@ -12,6 +13,7 @@
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/unpack_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -24,6 +26,12 @@ namespace {
 
 bool is_project(const std::filesystem::path& path) {
     return path_text(path.extension()).compare(QStringLiteral(".facetmill"), Qt::CaseInsensitive) == 0;
+}
+
+/// The document's name without the ending that it has once it is saved.
+QString unended_name(const Document& document) {
+    const std::filesystem::path& path = document.project().path;
+    return path.empty() ? document.name() : path_text(path.stem());
 }
 
 /// Copies `from` into `folder` unless the same bytes are there already; a name that is taken by other bytes
@@ -162,7 +170,9 @@ void ProjectFiles::open(const QString& path, std::optional<LengthUnit> unit) {
     const QFileInfo info(path);
     settings::set_last_folder(info.absolutePath());
     const std::filesystem::path absolute = path_of(info.absoluteFilePath());
-    if (is_project(absolute))
+    if (is_project(absolute) && is_packed(absolute))
+        open_packed(absolute);
+    else if (is_project(absolute))
         open_project(absolute);
     else
         open_mesh(absolute, unit);
@@ -179,6 +189,29 @@ void ProjectFiles::open_project(const std::filesystem::path& path) {
     }
     settings::add_recent_file(path_text(path));
     messages_.information(tr("Opened %1.").arg(path_text(path)), false);
+}
+
+void ProjectFiles::open_packed(const std::filesystem::path& path) {
+    auto* dialog = new UnpackDialog(path, window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, path] { unpack(path, path_of(dialog->folder())); });
+    dialog->open();
+}
+
+void ProjectFiles::unpack(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    auto files = std::make_shared<std::vector<PackedFile>>();
+    job_.start(
+        tr("Unpacking %1").arg(elided(path_text(path.filename()), 30)),
+        [=](const Progress& p) { *files = unpack_project(path, folder, p); },
+        [this, files, folder](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            messages_.information(
+                tr("Unpacked %1 files into %2.").arg(count_text(files->size()), path_text(folder)), false);
+            settings::set_last_folder(path_text(folder));
+            open_project(files->front().path);
+        });
 }
 
 void ProjectFiles::restore(Project project, const QString& name) {
@@ -293,18 +326,23 @@ bool ProjectFiles::save() {
     return save_to(path_text(document_.project().path));
 }
 
+QString ProjectFiles::chosen_project_name(const QString& title, const QString& start) {
+    QFileDialog dialog(window_, title, QFileInfo(start).absolutePath(),
+                       tr("Facetmill projects (*.facetmill)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("facetmill")); // before the question whether to replace
+    dialog.selectFile(QFileInfo(start).fileName());
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+    return dialog.selectedFiles().front();
+}
+
 bool ProjectFiles::save_as() {
     const QString name = document_.name();
     const QString start = document_.project().path.empty()
                               ? settings::last_folder() + QChar('/') + name + QStringLiteral(".facetmill")
                               : path_text(document_.project().path);
-    QFileDialog dialog(window_, tr("Save project"), QFileInfo(start).absolutePath(),
-                       tr("Facetmill projects (*.facetmill)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("facetmill")); // before the question whether to replace
-    dialog.selectFile(QFileInfo(start).fileName());
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
-    return save_to(dialog.selectedFiles().front());
+    const QString path = chosen_project_name(tr("Save project"), start);
+    return !path.isEmpty() && save_to(path);
 }
 
 bool ProjectFiles::save_to(const QString& path) {
@@ -334,6 +372,42 @@ bool ProjectFiles::save_to(const QString& path) {
     messages_.information(tr("Saved %1.").arg(path), false);
     emit renamed();
     return true;
+}
+
+void ProjectFiles::save_packed_with_dialog() {
+    const QString start =
+        settings::last_folder() + QChar('/') + unended_name(document_) + QStringLiteral("-packed.facetmill");
+    const QString path = chosen_project_name(tr("Save packed copy"), start);
+    if (!path.isEmpty()) save_packed_to(path);
+}
+
+void ProjectFiles::save_packed_to(const QString& path) {
+    if (!document_.has_part()) return;
+    if (!properties_.commit()) {
+        messages_.warning(tr("A parameter is not valid: correct it before the project is packed."));
+        return;
+    }
+    const std::filesystem::path target = path_of(QFileInfo(path).absoluteFilePath());
+    try {
+        keep_files(document_, target);
+    } catch (const Error& e) {
+        messages_.fail(text(e.what()));
+        return;
+    }
+    auto project = std::make_shared<const Project>(document_.project());
+    auto files = std::make_shared<std::vector<PackedFile>>();
+    job_.start(
+        tr("Packing %1").arg(elided(document_.name(), 30)),
+        [=, name = unended_name(document_).toStdString()](const Progress& p) {
+            *files = pack_project(*project, name, target, p);
+        },
+        [this, files, target](const JobEnd& end) {
+            if (!end.done()) return;
+            messages_.succeeded();
+            settings::set_last_folder(path_text(target.parent_path()));
+            messages_.information(
+                tr("Packed %1 files into %2.").arg(count_text(files->size()), path_text(target)));
+        });
 }
 
 } // namespace facetmill::ui

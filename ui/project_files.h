@@ -43,6 +43,9 @@ public:
     bool save_as();
     /// False when that failed, with the reason in the window.
     bool save_to(const QString& path);
+    void save_packed_with_dialog();
+    /// Packs a copy of the project in the background; the project itself stays where it is.
+    void save_packed_to(const QString& path);
 
     void choose_stock();
     /// The same for a fixture, by its place; behind the last one: a new one.
@@ -57,6 +60,11 @@ signals:
 
 private:
     void open_project(const std::filesystem::path& path);
+    /// Asks for a folder, unpacks there and opens what was unpacked.
+    void open_packed(const std::filesystem::path& path);
+    void unpack(const std::filesystem::path& path, const std::filesystem::path& folder);
+    /// The file to save to, empty where the user gives up.
+    QString chosen_project_name(const QString& title, const QString& start);
     void show_project(Project project, const QString& name, bool unsaved);
     void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
     void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);

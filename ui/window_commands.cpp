@@ -68,6 +68,14 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                   [&] { files.save_as(); },
                   has_part});
+    commands.add({"save_packed",
+                  tr("Save pac&ked copy…"),
+                  {},
+                  {},
+                  [&] { files.save_packed_with_dialog(); },
+                  idle,
+                  {},
+                  tr("Write the project with its meshes, machines and posts into one file, to be sent")});
     InputsController& inputs = w.controllers().inputs();
     commands.add({"replace_part",
                   tr("Replace par&t…"),
