@@ -15,7 +15,7 @@ namespace facetmill {
 namespace {
 
 /// Places are no farther apart than this share of the cutter's radius, and nearer until they are so many.
-constexpr double usual_share = 1.0 / 8, coarsest_share = 1.0 / 3, free_places = 2e5;
+constexpr double usual_share = 1.0 / 8, coarsest_share = 1.0 / 3, free_places = 5e4;
 /// A tip this far beside its place stays higher by the amount, at most, on a surface that is round.
 double even_spacing(double radius, double more_than) {
     return std::sqrt(radius * more_than);

@@ -113,11 +113,11 @@ private slots:
         Random rng(29);
         std::size_t left = 0, held = 0;
         for (int trial = 0; trial < 4; ++trial) {
-            const double a = uniform(rng, 0.3, 1.2), b = uniform(rng, 0.3, 1.2), h = uniform(rng, 0.5, 2);
+            const double a = uniform(rng, 0.8, 1.3), b = uniform(rng, 0.8, 1.3), h = uniform(rng, 1, 2);
             const ContactIndexPtr part = indexed(
                 height_field([&](double x, double y) { return h * std::sin(a * x) * std::cos(b * y); },
                              Vec2(-8, -6), Vec2(8, 6), 40, 30));
-            const double d = uniform(rng, 1, 6), more_than = uniform(rng, 0.01, 0.2);
+            const double d = uniform(rng, 3, 6), more_than = uniform(rng, 0.02, 0.2);
             const std::array<AptCutter, 4> cutters{AptCutter::ball(d, 50), AptCutter::flat(d, 50),
                                                    AptCutter::bull(d, 0.2 * d, 50),
                                                    AptCutter::cone(d, radians(40))};
