@@ -76,6 +76,23 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     }
 }
 
+/// An angle from 0 to pi by its place p: tan(psi / 2) up to a right angle, then what that is short of 2 seen
+/// from the other end. It grows with psi, is as exact near both ends as psi is, and needs no trigonometry.
+struct SweepRays::Angle {
+    double cosine, sine;
+
+    static Angle at(double p) {
+        const double t = p <= 1 ? p : 2 - p, scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale;
+        return {p <= 1 ? cosine : -cosine, 2 * t * scale};
+    }
+    double place() const { return cosine >= 0 ? sine / (1 + cosine) : 2 - sine / (1 - cosine); }
+    /// Turned on by `step`, to its third power.
+    Angle turned(double step) const {
+        const double t = 0.5 * step, scale = 1 / (1 + t * t), c = (1 - t * t) * scale, s = 2 * t * scale;
+        return {cosine * c - sine * s, sine * c + cosine * s};
+    }
+};
+
 Vec3 SweepRays::normal(double side, double psi) const {
     return -std::cos(psi) * across_ + side * std::sin(psi) * out_;
 }
@@ -153,8 +170,11 @@ void SweepRays::build(double side, std::vector<Link>& chain) {
                 link.kind = Link::Kind::torus;
                 link.e = e;
                 link.r = f.r;
-                link.psi0 = psi0;
-                link.psi1 = psi1;
+                const Angle from{std::cos(psi0), std::sin(psi0)}, to{std::cos(psi1), std::sin(psi1)};
+                link.cos0 = from.cosine;
+                link.cos1 = to.cosine;
+                link.p0 = from.place();
+                link.p1 = to.place();
             } else {
                 // (cos, sin) of the place on the circle from the direction of m.
                 link.kind = Link::Kind::circle;
@@ -193,29 +213,32 @@ void SweepRays::build(double side, std::vector<Link>& chain) {
 }
 
 SweepRays::Touch SweepRays::touch_torus(const Link& link, double side, double c) const {
-    // c(psi) grows; Newton's method kept within a bracket.
+    // c(psi) grows, nearly with -cos psi; Newton's method kept within a bracket.
     const Vec2 m = across_.head<2>(), k = out_.head<2>();
-    double low = link.psi0, high = link.psi1;
-    double psi = low + (high - low) * ((c - link.c0) / (link.c1 - link.c0));
+    double low = link.p0, high = link.p1;
+    const double cosine = link.cos0 + (link.cos1 - link.cos0) * ((c - link.c0) / (link.c1 - link.c0));
+    Angle psi{cosine, std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)))};
+    const double noise = std::numeric_limits<double>::epsilon() * (link.e + link.r + std::abs(link.middle_c));
     Vec2 radial = Vec2::Zero();
-    double sin_psi = 0, cos_psi = 1;
     for (int i = 0; i < 100; ++i) {
-        sin_psi = std::sin(psi);
-        cos_psi = std::cos(psi);
-        const Vec2 h = -cos_psi * m + side * sin_psi * k;
+        const Vec2 h = -psi.cosine * m + side * psi.sine * k;
         const double away = h.norm();
         if (away > 0) radial = h / away;
-        const double miss = link.e * radial.dot(m) + link.middle_c - link.r * cos_psi - c;
-        (miss > 0 ? high : low) = psi;
-        const Vec2 turn = sin_psi * m + side * cos_psi * k;
+        const double miss = link.e * radial.dot(m) + link.middle_c - link.r * psi.cosine - c;
+        if (std::abs(miss) <= noise) break;
+        (miss > 0 ? high : low) = psi.place();
+        const Vec2 turn = psi.sine * m + side * psi.cosine * k;
         const Vec2 swing = away > 0 ? Vec2((turn - radial.dot(turn) * radial) / away) : Vec2(Vec2::Zero());
-        const double slope = link.e * swing.dot(m) + link.r * sin_psi;
-        double next = slope > 0 ? psi - miss / slope : high;
-        if (!(next > low && next < high)) next = 0.5 * (low + high);
-        if (std::abs(next - psi) <= tolerance::unit_rounding) break;
+        const double slope = link.e * swing.dot(m) + link.r * psi.sine;
+        const double step = slope > 0 ? -miss / slope : infinity;
+        if (std::abs(step) <= tolerance::unit_rounding) break;
+        Angle next = std::abs(step) < 1 ? psi.turned(step) : psi;
+        const double p = next.place();
+        if (!(std::abs(step) < 1 && next.sine > 0 && p > low && p < high))
+            next = Angle::at(0.5 * (low + high));
         psi = next;
     }
-    return {link.e * radial.dot(k) + link.middle_y + side * link.r * sin_psi,
+    return {link.e * radial.dot(k) + link.middle_y + side * link.r * psi.sine,
             link.e * radial.dot(along_.head<2>()) + link.middle_l};
 }
 

@@ -108,12 +108,14 @@ private:
         double slope_y = 0, slope_l = 0;                 ///< line
         double middle_c = 0, middle_y = 0, middle_l = 0; ///< else: image of the centre
         double scale = 0, cos_y = 0, sin_y = 0, cos_l = 0,
-               sin_l = 0;                        ///< circle and sphere: C = (c - middle_c) scale
-        double e = 0, r = 0, psi0 = 0, psi1 = 0; ///< torus
+               sin_l = 0;                          ///< circle and sphere: C = (c - middle_c) scale
+        double e = 0, r = 0;                       ///< torus
+        double cos0 = 0, cos1 = 0, p0 = 0, p1 = 0; ///< torus: of psi at c0 and c1, see Angle
     };
     struct Touch {
         double y, l;
     };
+    struct Angle;
     void build(double side, std::vector<Link>& chain);
     Vec3 normal(double side, double psi) const;
     Vec3 outline_point(const TurnedBody::Feature& f, double side, double psi, double from_psi) const;
