@@ -107,8 +107,10 @@ std::vector<SetupPlan> plan_setups(const Project& project, const std::string& on
         try {
             const bool rests = goes_on(setup.project) && !setups.empty();
             if (rests) {
-                const std::span<const SetupPlan> chain = stock_chains(setups).back();
-                planners.at(i).carry(carried_stock(chain, setup.project, running.part(0, 0.3)));
+                auto rest = planners.known_rest(setup.project);
+                if (!rest)
+                    rest = carried_stock(stock_chains(setups).back(), setup.project, running.part(0, 0.3));
+                planners.at(i).carry(std::move(rest));
             }
             if (!rests && !setups.empty()) {
                 const auto part = planners.at(i).prepare(setup.project, running.part(0, 0.05));
@@ -240,8 +242,8 @@ std::shared_ptr<const CarriedStock> carried_stock(std::span<const SetupPlan> cha
     const SetupPlan& first = chain.front();
     const ChainPrograms all = chain_programs(chain, planned_programs(chain));
     const SetupFrame frame = frame_between(first.project, next);
-    const StockSolid rest =
-        rest_after(first.plan->stock, all.programs, chain_settings(chain), progress.part(0, 0.95));
+    const StockSolid rest = rest_after(first.plan->stock, all.programs, chain_settings(chain),
+                                       progress.part(0, 0.95, next.name + ": stock left so far"));
     if (rest.mesh->facets.empty())
         throw Error(ErrorCode::empty_result, "stock",
                     "nothing of it is left by " + setup_words(chain.back().project),

@@ -18,7 +18,7 @@ StockSolid rest_after(const StockSolid& stock, std::span<const VerifyProgram> pr
                       VerifySettings settings, const Progress& progress) {
     settings.usual_rays = rest_rays;
     const std::shared_ptr<const StockModel> left =
-        stock_after(stock, programs, settings, progress.part(0, 0.7, "Removing material"));
+        stock_after(stock, programs, settings, progress.part(0, 0.7));
     StockSolid rest;
     rest.kind = StockSolid::Kind::mesh;
     auto mesh = std::make_shared<Mesh>(stock_mesh(*left, progress.part(0.7, 1)));
@@ -83,7 +83,8 @@ StockSoFar::Before StockSoFar::before(const Operation& operation, const Progress
     while (others > 0 && (!cuts_[others - 1].result || cuts_[others - 1].axis == axis))
         --others;
     Before before{setup_.stock, {}};
-    if (others > 0) before.stock = rest(others, progress);
+    if (others > 0)
+        before.stock = rest(others, progress.part(0, 1, operation.common().name + ": stock left so far"));
     for (std::size_t i = others; i < cuts_.size(); ++i)
         if (cuts_[i].cuts) before.earlier.push_back(cuts_[i].cuts);
     return before;

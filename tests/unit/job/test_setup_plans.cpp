@@ -152,14 +152,17 @@ private slots:
             });
         QVERIFY((planned == std::vector<std::string>{"Top:", "Bottom:Finish below"}));
         QVERIFY(!plans[0].asked && plans[1].asked);
-        // Once more: nothing is planned anew, and the stock carried on is the same.
+        // Once more: nothing is planned anew, and the stock carried on is the same, not one cut again.
         const PlannerWork work = planners.at(1).work();
+        const auto carried = planners.at(1).carried();
         plan_setups(job.project, "Finish below", planners, {});
         QVERIFY(planners.at(1).work() == work);
+        QVERIFY(carried && planners.at(1).carried() == carried);
         // A change before it changes what it begins with.
         apply_setting(job.project, "Finish.allowance=0.5");
         plan_setups(job.project, "Finish below", planners, {});
         QVERIFY(!(planners.at(1).work() == work));
+        QVERIFY(planners.at(1).carried() != carried);
         try {
             plan_setups(job.project, "Finish belo", planners, {});
             QFAIL("it was planned");
