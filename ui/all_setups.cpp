@@ -45,10 +45,7 @@ void AllSetups::start(bool verify) {
     if (!may_be_large(*work)) return;
     messages_.dismiss();
     document_.show_program(nullptr);
-    std::vector<int> ids;
-    for (const std::vector<int>& own : work->results.ids())
-        ids.insert(ids.end(), own.begin(), own.end());
-    document_.set_planning(ids);
+    document_.set_planning(work->results.unplanned());
     job_.start(
         verify ? tr("Verifying all setups") : tr("Planning all setups"),
         [work, planners = planners_](const Progress& progress) { run(*work, *planners, progress); },

@@ -17,6 +17,14 @@ SetupResults::SetupResults(const Document& document) : ids_(document.setup_ids()
     }
 }
 
+std::vector<int> SetupResults::unplanned() const {
+    std::vector<int> ids;
+    for (const std::vector<int>& own : ids_)
+        if (!std::all_of(own.begin(), own.end(), [&](int id) { return kept_.contains(id); }))
+            ids.insert(ids.end(), own.begin(), own.end());
+    return ids;
+}
+
 std::shared_ptr<const PlanResult> SetupResults::kept(Planner& planner, const Project& view,
                                                      const Progress& progress) const {
     const std::vector<int>& ids = ids_[chosen_setup(view)];

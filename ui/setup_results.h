@@ -23,6 +23,8 @@ public:
     PlanSetup planning();
 
     const std::vector<std::vector<int>>& ids() const { return ids_; }
+    /// Operations of setups that are not planned as they stand.
+    std::vector<int> unplanned() const;
     /// What had to be planned.
     const std::vector<OperationOutcome>& outcomes() const { return outcomes_; }
 

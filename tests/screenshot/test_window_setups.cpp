@@ -145,6 +145,8 @@ private slots:
         QVERIFY(button && button->isVisible() && button->isEnabled());
         shot(w(), QStringLiteral("setups-one-alone"));
         QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(w().job().running());
+        QCOMPARE(w().document().state(0), ui::OperationState::planned); // not once more
         QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
         QVERIFY2(model.verdict() == ui::Verdict::verified, qPrintable(model.failure_text()));
