@@ -5,6 +5,7 @@
 #include "core/job/project_inputs.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
+#include "core/strategy/surface/boundary_region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ std::vector<Tool> Project::further_tools_of(const Operation& operation) const {
 
 std::optional<AptCutter> Project::cutter_of(const Boundary& boundary) const {
     if (boundary.kind != Boundary::Kind::rest) return std::nullopt;
-    return tool_by_number(tools, boundary.tool, "boundary '" + printable(boundary.name) + "'").cutter();
+    return tool_by_number(tools, boundary.tool, boundary_place(boundary.name)).cutter();
 }
 
 void keep_referenced(const Project& project, const fs::path& output) {
