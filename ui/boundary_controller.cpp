@@ -240,8 +240,7 @@ void BoundaryController::start_job() {
                         region.surface(0, longest, progress.part(0.6, 0.9)), progress.part(0.9, 1));
                 } catch (const Error& e) {
                     outcome->marks[i].clear();
-                    outcome->failures[i] =
-                        sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy());
+                    outcome->failures[i] = failure_text(e);
                 }
             }
         },

@@ -18,12 +18,6 @@ namespace facetmill::ui {
 
 namespace {
 
-QString form_message(const Error& e) {
-    QString message = sentence(text(e.message()));
-    if (!e.remedy().empty()) message += QStringLiteral(": ") + text(e.remedy());
-    return message;
-}
-
 QGridLayout* make_grid(QWidget* holder) {
     auto* grid = new QGridLayout(holder);
     grid->setContentsMargins(8, 4, 4, 4);
@@ -239,7 +233,7 @@ bool ParameterForm::check(Row& row, ParameterValue& value) {
         show_error(row, {}, false);
         return true;
     } catch (const Error& e) {
-        show_error(row, form_message(e), true);
+        show_error(row, failure_text(e), true);
         return false;
     }
 }

@@ -141,7 +141,7 @@ void PlaceController::show_zero() {
             if (seen_ || zero != Vec3::Zero())
                 mark = ZeroMark{zero, zero_axis_share * document_.part()->box.diagonal(), name};
         } catch (const Error& e) {
-            shown.text = sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.');
+            shown.text = failure_text(e) + QChar('.');
         }
     }
     panel_->show_zero(shown);
@@ -307,7 +307,7 @@ void PlaceController::take(const std::optional<PartPick>& pick) {
             take_edge(*pick);
     } catch (const Error& e) {
         points_.clear();
-        messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
+        messages_.warning(failure_text(e) + QChar('.'));
     }
 }
 

@@ -89,7 +89,7 @@ bool PlaceSteps::scale(double factor) {
 }
 
 void PlaceSteps::tell(const Error& e) {
-    messages_.warning(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()) + QChar('.'));
+    messages_.warning(failure_text(e) + QChar('.'));
 }
 
 bool PlaceSteps::change(const QString& what, const Placement& placement, double factor) {

@@ -535,7 +535,7 @@ void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {
                              operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
                          });
     } catch (const Error& e) {
-        form_->set_error(key, sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+        form_->set_error(key, failure_text(e));
     }
 }
 
@@ -620,7 +620,7 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                 p.operations.at(node.index)->set(key, value);
         });
     } catch (const Error& e) {
-        wrong(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+        wrong(failure_text(e));
     }
 }
 

@@ -274,7 +274,7 @@ void RegionController::change(const QString& what, const std::function<void(Oper
     try {
         document_.change(what, [&](Project& p) { edit(*p.operations.at(*i)); });
     } catch (const Error& e) {
-        dialog_->show_problem({}, sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()));
+        dialog_->show_problem({}, failure_text(e));
     }
 }
 
@@ -329,9 +329,7 @@ void RegionController::look() {
                 found->display = prepare_strip_display(strips, project->unit, progress.part(0.95, 1));
             } catch (const Error& e) {
                 found->where = e.where();
-                found->wrong = sentence(text(e.message()));
-                if (!e.remedy().empty()) found->wrong += QStringLiteral(": ") + text(e.remedy());
-                found->wrong = with_lengths_in(found->wrong, project->unit);
+                found->wrong = with_lengths_in(failure_text(e), project->unit);
             }
         },
         [=, this, place = *i](const JobEnd& end) {

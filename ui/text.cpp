@@ -100,4 +100,10 @@ QString sentence(const QString& text) {
     return text.left(1).toUpper() + text.mid(1);
 }
 
+QString failure_text(const Error& e) {
+    QString message = sentence(text(e.message()));
+    if (!e.remedy().empty()) message += QStringLiteral(": ") + text(e.remedy());
+    return message;
+}
+
 } // namespace facetmill::ui

@@ -1,6 +1,7 @@
 // Between core's values and the words on the screen.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 
 #include <QString>
@@ -45,5 +46,7 @@ QString elided(const QString& text, int characters);
 QString with_lengths_in(const QString& message, LengthUnit unit);
 /// First letter in upper case: messages of core begin in lower case.
 QString sentence(const QString& text);
+/// "What is wrong: what to do about it", without a full stop.
+QString failure_text(const Error& e);
 
 } // namespace facetmill::ui

@@ -273,8 +273,7 @@ void ToolDialog::validate() {
             check_tool(tool_);
         } catch (const Error& e) {
             marked_ = e.where();
-            check_message_ =
-                with_lengths_in(sentence(text(e.message())) + QStringLiteral(": ") + text(e.remedy()), unit_);
+            check_message_ = with_lengths_in(failure_text(e), unit_);
         }
     }
     if (!form_->error(marked_).isEmpty())
