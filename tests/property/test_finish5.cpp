@@ -321,7 +321,7 @@ private slots:
     void partial_passes_stand_where_strips_are_narrow() {
         const Mesh part = height_field(
             [](double x, double y) { return 1.5 * std::exp(-(std::pow(x + 50, 2) + y * y) / 20); },
-            Vec2(-70, -14), Vec2(70, 14), 280, 56);
+            Vec2(-70, -10), Vec2(50, 10), 240, 40);
         const PlanContext context = five_axis_context(part, cutter("flat"));
         const double tolerance = 0.05;
         const Finish5 op(settings(tolerance, Choice::cm2));

@@ -24,8 +24,8 @@ namespace {
 /// Some of every outcome; 39, 40: a finished part that was roughed once more was called gouged. 62: a
 /// clean-up of points that lay in one place went on for ever. 27, 287: a part of a closed border that shank
 /// or holder had cut short was begun in its middle, with a way straight through the part from end to end.
-/// 416: two setups.
-constexpr qulonglong usual_seeds[] = {0, 2, 5, 7, 9, 13, 17, 24, 27, 39, 40, 62, 287, 416, 2003};
+/// 416: two setups. None that takes more than ten seconds of processor time: the slow run has them.
+constexpr qulonglong usual_seeds[] = {0, 2, 5, 7, 9, 13, 17, 27, 39, 40, 62, 104, 287, 416};
 
 /// What those that found something are known by.
 constexpr struct {
