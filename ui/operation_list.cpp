@@ -20,6 +20,13 @@ bool has_tool_axis(const Document& document, std::size_t operation) {
     return operation < document.operation_count() && has_axis(document.operation(operation));
 }
 
+void set_tool_axis(Document& document, std::size_t operation, const Vec3& axis) {
+    const std::array<double, 3> value{axis.x(), axis.y(), axis.z()};
+    if (document.operation(operation).get(axis_key) == ParameterValue(value)) return;
+    document.change(Document::tr("Tool axis by angles"),
+                    [&](Project& p) { p.operations.at(operation)->set(axis_key, value); });
+}
+
 std::size_t share_tool_axis(Document& document, std::size_t operation) {
     const ParameterValue axis = document.operation(operation).get(axis_key);
     std::size_t others = 0;

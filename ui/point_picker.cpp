@@ -1,6 +1,7 @@
 #include "ui/point_picker.h"
 
 #include "core/mesh/flat_face.h"
+#include "ui/axis_dialog.h"
 #include "ui/messages.h"
 #include "ui/parameter_form.h"
 #include "ui/properties_panel.h"
@@ -34,13 +35,6 @@ Vec3 snapped_point(const Viewport& viewport, const Mesh& mesh, const PartPick& p
 }
 
 namespace {
-
-/// A unit vector so rounded that an axis of the coordinates is just that.
-Vec3 rounded_axis(const Vec3& direction) {
-    constexpr double digits = 1e9;
-    const Vec3 unit = direction.normalized();
-    return (unit * digits).array().round().matrix() / digits + Vec3::Zero();
-}
 
 /// Upright on the face that was met, as it is seen.
 Vec3 picked_axis(const PartPick& pick) {

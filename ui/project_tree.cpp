@@ -1,5 +1,6 @@
 #include "ui/project_tree.h"
 
+#include "ui/axis_dialog.h"
 #include "ui/boundary_list.h"
 #include "ui/boundary_menu.h"
 #include "ui/fixture_list.h"
@@ -455,9 +456,12 @@ void ProjectTree::menu(const QPoint& at) {
     if (node && node->kind == TreeNode::Kind::operation) {
         menu.addAction(icon(Icon::plan), tr("Plan this operation"), this,
                        [this, i = node->index] { emit plan_operation(i); });
-        if (has_tool_axis(document_, node->index))
+        if (has_tool_axis(document_, node->index)) {
+            menu.addAction(tr("Tool axis by angles…"), this,
+                           [this, i = node->index] { ask_tool_axis(document_, i, window()); });
             menu.addAction(tr("Same tool axis for all operations"), this,
                            [this, i = node->index] { share_tool_axis(document_, i); });
+        }
         menu.addSeparator();
     }
     if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);

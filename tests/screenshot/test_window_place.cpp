@@ -3,6 +3,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/setup/lying.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/axis_dialog.h"
 #include "ui/controllers.h"
 #include "ui/layer_bar.h"
 #include "ui/message_bar.h"
@@ -118,6 +119,46 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().project().part.rotate == (std::array<double, 3>{0, 0, 0}));
         QVERIFY(!w().document().undo_stack().canUndo());
+    }
+
+    /// In a dialog that begins with the axis that there is; what it leaves as it was is no step.
+    void the_tool_axis_of_an_operation_is_told_by_angles() {
+        const auto axis = [&] {
+            const auto& a = first_operation(w()).tool_axis;
+            return Vec3(a[0], a[1], a[2]);
+        };
+        const auto ask = [&](double had_tilt, double had_towards, double tilt, double towards,
+                             bool leave = false) {
+            ui::ask_tool_axis(w().document(), 0, &w());
+            auto* dialog = w().findChild<QDialog*>(QStringLiteral("axis_dialog"));
+            auto* tilt_field = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("axis_tilt"));
+            auto* towards_field = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("axis_towards"));
+            QCOMPARE(tilt_field->value(), had_tilt);
+            QCOMPARE(towards_field->value(), had_towards);
+            QCOMPARE(towards_field->isEnabled(), had_tilt > 0);
+            QTest::keyClicks(tilt_field, QString::number(tilt)); // it is selected
+            QTest::keyClick(tilt_field, Qt::Key_Tab);
+            towards_field->setFocus();
+            towards_field->selectAll();
+            QTest::keyClicks(towards_field, QString::number(towards));
+            if (!leave) shot(*dialog, QStringLiteral("axis-angles"));
+            QTest::keyClick(dialog, leave ? Qt::Key_Escape : Qt::Key_Return);
+            QTRY_VERIFY(!w().findChild<QDialog*>(QStringLiteral("axis_dialog")));
+        };
+        QUndoStack& history = w().document().undo_stack();
+        const int steps = history.count();
+        ask(0, 0, 0, 0);
+        QCOMPARE(history.count(), steps);
+        ask(0, 0, 90, -90);
+        QVERIFY(axis() == Vec3(0, -1, 0));
+        QCOMPARE(history.undoText(), QStringLiteral("Tool axis by angles"));
+        ask(90, -90, 45, 30, true);
+        QVERIFY(axis() == Vec3(0, -1, 0));
+        ask(90, -90, 45, 30);
+        const double flat = std::sqrt(0.5);
+        QVERIFY((axis() - Vec3(flat * std::sqrt(0.75), 0.5 * flat, flat)).norm() < 2e-9);
+        ask(45, 30, 45, 30);
+        QCOMPARE(history.count(), steps + 2);
     }
 
     /// Upright on a face, or along the view: one step of the history each.
