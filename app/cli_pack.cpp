@@ -70,7 +70,8 @@ Command unpack_command() {
         .name = "unpack",
         .operands = {"FILE"},
         .summary = "Unpacks a packed project into a folder.",
-        .help = "The folder is made where there is none. Files that are there already are never replaced.",
+        .help = "The folder is made where there is none. A file that is there already is never replaced;\n"
+                "another one than that of the project is an error.",
         .options = {{.name = "-o", .value = "FOLDER", .help = "the folder to unpack into", .required = true}},
         .run = run_unpack};
 }

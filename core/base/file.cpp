@@ -284,7 +284,10 @@ public:
             folders_[f->target_.parent_path()].files.push_back(f.get());
     }
     ~Replacement() {
-        for (auto& [path, folder] : folders_) {
+        // Inner folders first: a run killed here leaves in the outermost, where the next one looks, all or
+        // none.
+        for (auto it = folders_.rbegin(); it != folders_.rend(); ++it) {
+            auto& [path, folder] = *it;
             std::error_code ec;
             if (!done_) detail::put_back(path, folder.set);
             fs::remove(folder.record, ec);

@@ -2,6 +2,7 @@
 
 #include "core/base/archive.h"
 #include "core/base/error.h"
+#include "core/base/leftovers.h"
 #include "core/job/new_folder.h"
 #include "core/job/project_inputs.h"
 
@@ -194,6 +195,48 @@ bool is_packed(const fs::path& path) {
     }
 }
 
+namespace {
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// A file of these very bytes: unpacked before, as a whole or by a run that was killed between two folders.
+bool is_same(const ArchiveReader& archive, std::size_t i, const fs::path& path) {
+    if (std::error_code ec; !fs::is_regular_file(path, ec)) return false;
+    const InputFile there(path);
+    if (there.bytes().size() != archive.size(i)) return false;
+    std::size_t at = 0;
+    bool same = true;
+    archive.read(i, [&](std::string_view bytes) {
+        same = same && there.bytes().substr(at, bytes.size()) == bytes;
+        at += bytes.size();
+    });
+    return same;
+}
+
+/// Which entries need not be unpacked. Throws Error(unwritable) where something else is in the way.
+std::vector<bool> files_there(const ArchiveReader& archive, const fs::path& folder) {
+    std::set<fs::path> folders;
+    for (std::size_t i = 0; i < archive.count(); ++i)
+        folders.insert(folder_of(folder / archive.entry_name(i)));
+    for (const fs::path& f : folders)
+        detail::clear_leftovers(f);
+    std::vector<bool> there(archive.count());
+    for (std::size_t i = 0; i < archive.count(); ++i) {
+        const fs::path to = folder / archive.entry_name(i);
+        std::error_code ec;
+        if (!fs::exists(fs::symlink_status(to, ec))) continue;
+        if (!is_same(archive, i, to))
+            throw Error(ErrorCode::unwritable, printable(to.string(), 400),
+                        "is there already, and is another file", "unpack into another folder");
+        there[i] = true;
+    }
+    return there;
+}
+
+} // namespace
+
 std::vector<PackedFile> unpack_project(const fs::path& packed, const fs::path& folder,
                                        const Progress& progress, const BeforePacked& before) {
     const InputFile file(packed);
@@ -201,21 +244,18 @@ std::vector<PackedFile> unpack_project(const fs::path& packed, const fs::path& f
         throw Error(ErrorCode::unsupported_format, name_of(packed), "is no packed project",
                     "name a file that `facetmill-cli pack` has written");
     const OpenedPack pack(file.bytes(), name_of(packed));
-    std::error_code ec;
-    for (std::size_t i = 0; i < pack.archive.count(); ++i)
-        if (const fs::path to = folder / pack.archive.entry_name(i); fs::exists(fs::symlink_status(to, ec)))
-            throw Error(ErrorCode::unwritable, printable(to.string(), 400), "is there already",
-                        "unpack into another folder");
+    const std::vector<bool> there = files_there(pack.archive, folder);
     std::list<NewFolder> folders; // the innermost first: they go in this order
     OutputSet outputs;
     std::vector<PackedFile> files;
     for_each_file(pack.archive, progress, [&](std::size_t i, const Progress& part) {
         const fs::path to = folder / pack.archive.entry_name(i);
-        folders.emplace_front(to.has_parent_path() ? to.parent_path() : fs::path("."));
+        files.push_back({pack.archive.entry_name(i), to, pack.archive.size(i)});
+        if (there[i]) return;
+        folders.emplace_front(folder_of(to));
         OutputFile& out = outputs.add(to);
         pack.archive.read(
             i, [&](std::string_view bytes) { out.write(bytes); }, part);
-        files.push_back({pack.archive.entry_name(i), to, pack.archive.size(i)});
     });
     std::rotate(files.begin(), files.begin() + std::ptrdiff_t(pack.entry),
                 files.begin() + std::ptrdiff_t(pack.entry) + 1);

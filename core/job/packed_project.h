@@ -38,7 +38,8 @@ std::vector<PackedFile> pack_project(const Project& project, const std::string& 
 bool is_packed(const std::filesystem::path& path);
 
 /// Unpacks into a folder, which is made where there is none; all files appear or none. The project comes
-/// first. Throws what `load_project` throws, Error(unwritable), also where one of the files is there already.
+/// first. What is there already with the same bytes stays as it is. Throws what `load_project` throws,
+/// Error(unwritable), also where another file is in the place of one.
 std::vector<PackedFile> unpack_project(const std::filesystem::path& packed,
                                        const std::filesystem::path& folder, const Progress& progress = {},
                                        const BeforePacked& before = {});

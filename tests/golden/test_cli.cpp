@@ -300,7 +300,13 @@ private slots:
         QVERIFY2(unpacked.status == 0, unpacked.err.constData());
         QCOMPARE(json(unpacked.out)["files"][0].toObject()["file"].toString(), QString("there/p.facetmill"));
         QCOMPARE(s.files("there"), QStringList({"files", "p.facetmill"}));
-        QCOMPARE(run_cli({"unpack", "sent.facetmill", "-o", "there"}, s.path()).status, 1);
+        // Once more is no harm; never over another file.
+        QCOMPARE(run_cli({"unpack", "sent.facetmill", "-o", "there"}, s.path()).status, 0);
+        s.write("there/p.facetmill", "{}");
+        const CliRun over = run_cli({"unpack", "sent.facetmill", "-o", "there"}, s.path());
+        QCOMPARE(over.status, 1);
+        QCOMPARE(over.code(), QByteArray("unwritable"));
+        QCOMPARE(bytes_of(s.path() + "/there/p.facetmill"), QByteArray("{}"));
     }
 
     void samples_are_in_their_units() {

@@ -160,8 +160,16 @@ private slots:
         const Project back = load_project(files.front().path);
         QVERIFY(!back.unpacked);
         QVERIFY(contents(back) == contents(load_project(t.file)));
-        // Never over what is there, and nothing is begun then.
+        // What is missing of it comes back, and the rest stays as it is.
+        const auto written = fs::last_write_time(files.front().path);
         fs::remove(t.root / "deep/er/files/part.stl");
+        QCOMPARE(unpack_project(t.packed, t.root / "deep/er").size(), std::size_t(7));
+        QVERIFY(contents(load_project(files.front().path)) == contents(back));
+        QVERIFY(fs::last_write_time(files.front().path) == written);
+        QCOMPARE(unpack_project(t.packed, t.root / "deep/er").size(), std::size_t(7));
+        // Never over another file, and nothing is begun then.
+        fs::remove(t.root / "deep/er/files/part.stl");
+        std::ofstream(files.front().path, std::ios::app) << ' ';
         std::string message;
         QCOMPARE(code_of([&] { unpack_project(t.packed, t.root / "deep/er"); }, &message),
                  std::string("unwritable"));
