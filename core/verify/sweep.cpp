@@ -17,6 +17,7 @@
 #include "core/base/turn.h"
 
 #include <array>
+#include <limits>
 
 namespace facetmill {
 
@@ -218,7 +219,8 @@ SweepRays::Touch SweepRays::touch_torus(const Link& link, double side, double c)
     double low = link.p0, high = link.p1;
     const double cosine = link.cos0 + (link.cos1 - link.cos0) * ((c - link.c0) / (link.c1 - link.c0));
     Angle psi{cosine, std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)))};
-    const double noise = std::numeric_limits<double>::epsilon() * (link.e + link.r + std::abs(link.middle_c));
+    const double noise =
+        std::numeric_limits<double>::epsilon() * (std::abs(link.e) + link.r + std::abs(link.middle_c));
     Vec2 radial = Vec2::Zero();
     for (int i = 0; i < 100; ++i) {
         const Vec2 h = -psi.cosine * m + side * psi.sine * k;
@@ -232,11 +234,10 @@ SweepRays::Touch SweepRays::touch_torus(const Link& link, double side, double c)
         const double slope = link.e * swing.dot(m) + link.r * psi.sine;
         const double step = slope > 0 ? -miss / slope : infinity;
         if (std::abs(step) <= tolerance::unit_rounding) break;
-        Angle next = std::abs(step) < 1 ? psi.turned(step) : psi;
+        const Angle next = psi.turned(step);
         const double p = next.place();
-        if (!(std::abs(step) < 1 && next.sine > 0 && p > low && p < high))
-            next = Angle::at(0.5 * (low + high));
-        psi = next;
+        const bool within = std::abs(step) < 1 && next.sine > 0 && p > low && p < high;
+        psi = within ? next : Angle::at(0.5 * (low + high));
     }
     return {link.e * radial.dot(k) + link.middle_y + side * link.r * psi.sine,
             link.e * radial.dot(along_.head<2>()) + link.middle_l};
