@@ -202,21 +202,25 @@ fs::path folder_of(const fs::path& file) {
 }
 
 /// A file of these very bytes: unpacked before, as a whole or by a run that was killed between two folders.
-bool is_same(const ArchiveReader& archive, std::size_t i, const fs::path& path) {
+bool is_same(const ArchiveReader& archive, std::size_t i, const fs::path& path, const Progress& progress) {
     if (std::error_code ec; !fs::is_regular_file(path, ec)) return false;
     const InputFile there(path);
     if (there.bytes().size() != archive.size(i)) return false;
     std::size_t at = 0;
     bool same = true;
-    archive.read(i, [&](std::string_view bytes) {
-        same = same && there.bytes().substr(at, bytes.size()) == bytes;
-        at += bytes.size();
-    });
+    archive.read(
+        i,
+        [&](std::string_view bytes) {
+            same = same && there.bytes().substr(at, bytes.size()) == bytes;
+            at += bytes.size();
+        },
+        progress);
     return same;
 }
 
 /// Which entries need not be unpacked. Throws Error(unwritable) where something else is in the way.
-std::vector<bool> files_there(const ArchiveReader& archive, const fs::path& folder) {
+std::vector<bool> files_there(const ArchiveReader& archive, const fs::path& folder,
+                              const Progress& progress) {
     std::set<fs::path> folders;
     for (std::size_t i = 0; i < archive.count(); ++i)
         folders.insert(folder_of(folder / archive.entry_name(i)));
@@ -227,7 +231,7 @@ std::vector<bool> files_there(const ArchiveReader& archive, const fs::path& fold
         const fs::path to = folder / archive.entry_name(i);
         std::error_code ec;
         if (!fs::exists(fs::symlink_status(to, ec))) continue;
-        if (!is_same(archive, i, to))
+        if (!is_same(archive, i, to, progress.part(0, 0))) // the bar waits, a cancel does not
             throw Error(ErrorCode::unwritable, printable(to.string(), 400),
                         "is there already, and is another file", "unpack into another folder");
         there[i] = true;
@@ -244,7 +248,7 @@ std::vector<PackedFile> unpack_project(const fs::path& packed, const fs::path& f
         throw Error(ErrorCode::unsupported_format, name_of(packed), "is no packed project",
                     "name a file that `facetmill-cli pack` has written");
     const OpenedPack pack(file.bytes(), name_of(packed));
-    const std::vector<bool> there = files_there(pack.archive, folder);
+    const std::vector<bool> there = files_there(pack.archive, folder, progress);
     std::list<NewFolder> folders; // the innermost first: they go in this order
     OutputSet outputs;
     std::vector<PackedFile> files;
