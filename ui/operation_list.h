@@ -1,4 +1,4 @@
-// Changes of several operations of the shown setup at once, each one step of the history.
+// Tool axes of the operations of the shown setup: each change is one step of the history.
 #pragma once
 
 #include "core/base/vec.h"
