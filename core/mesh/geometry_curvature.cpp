@@ -5,8 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/geometry_incidence.h"
-
-#include <Eigen/Cholesky>
+#include "core/mesh/normal_equations.h"
 
 #include <cmath>
 
@@ -56,29 +55,26 @@ bool closed_fan(const std::vector<RingEdge>& sorted_by_from) {
 /// heights best.
 bool fit_height(const std::vector<Vec3>& local, Eigen::Index n, Eigen::Index skip,
                 Eigen::Matrix<double, 9, 1>& coefficients) {
-    // Sizes known only here: loops, where fixed ones would be written out for each size.
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 9, 9>;
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
-    Matrix ata = Matrix::Zero(n, n);
-    Vector atz = Vector::Zero(n);
+    NormalMatrix ata = NormalMatrix::Zero(n, n);
+    NormalVector atz = NormalVector::Zero(n);
     for (const Vec3& p : local) {
         const double x = p.x(), y = p.y();
         Eigen::Matrix<double, 9, 1> all;
         all << x, y, 0.5 * x * x, x * y, 0.5 * y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-        const Vector row = all.segment(skip, n);
+        const NormalVector row = all.segment(skip, n);
         // Nearer points count more; the vertex itself is met exactly.
         const double weight = 1.0 / p.squaredNorm();
         ata.noalias() += weight * row * row.transpose();
         atz += weight * p.z() * row;
     }
     // Columns scaled to equal length, so that long thin neighbourhoods do not look ambiguous.
-    const Vector scale = ata.diagonal().cwiseSqrt().cwiseInverse();
+    const NormalVector scale = ata.diagonal().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) return false;
     ata = scale.asDiagonal() * ata * scale.asDiagonal();
-    const Eigen::LDLT<Matrix> ldlt(ata);
-    if (!(ldlt.vectorD().minCoeff() > tolerance::fit_pivot)) return false;
+    const NormalSolution solution = solve_normal_equations(ata, scale.cwiseProduct(atz));
+    if (!(solution.pivot_min > tolerance::fit_pivot)) return false;
     coefficients.setZero();
-    coefficients.segment(skip, n) = scale.cwiseProduct(ldlt.solve(scale.cwiseProduct(atz)));
+    coefficients.segment(skip, n) = scale.cwiseProduct(solution.x);
     return coefficients.allFinite();
 }
 

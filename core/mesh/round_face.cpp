@@ -3,9 +3,9 @@
 #include "core/base/error.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/flat_face.h"
+#include "core/mesh/normal_equations.h"
 #include "core/mesh/refine.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -107,7 +107,7 @@ Cylinder circle_about(const std::vector<Vec3>& points, const Vec3& axis) {
         normal += row * row.transpose();
         right += square * row;
     }
-    const Vec3 x = normal.ldlt().solve(right);
+    const Vec3 x = solve_normal_equations(normal, right).x;
     return {middle + x[0] * u + x[1] * v, axis, std::sqrt(std::max(0.0, x[2] + x[0] * x[0] + x[1] * x[1]))};
 }
 
@@ -117,8 +117,8 @@ Cylinder fitted(const std::vector<Vec3>& points, Cylinder c, bool held) {
     constexpr int rounds = 12;
     for (int round = 0; round < rounds; ++round) {
         const Vec3 u = c.axis.unitOrthogonal(), v = c.axis.cross(u);
-        Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-        Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
+        NormalMatrix normal = NormalMatrix::Zero(5, 5);
+        NormalVector right = NormalVector::Zero(5);
         for (const Vec3& p : points) {
             const Vec3 from = p - c.center;
             const double along = from.dot(c.axis);
@@ -126,14 +126,14 @@ Cylinder fitted(const std::vector<Vec3>& points, Cylinder c, bool held) {
             const double length = out.norm();
             if (!(length > 0)) continue;
             const Vec3 n = out / length;
-            Eigen::Matrix<double, 5, 1> row;
+            NormalVector row(5);
             row << -n.dot(u), -n.dot(v), -1, -along * n.dot(u), -along * n.dot(v);
             if (held) row.tail<2>().setZero();
             normal += row * row.transpose();
             right -= (length - c.radius) * row;
         }
         if (held) normal.bottomRightCorner<2, 2>().setIdentity();
-        const Eigen::Matrix<double, 5, 1> step = normal.ldlt().solve(right);
+        const NormalVector step = solve_normal_equations(normal, right).x;
         if (!step.allFinite()) break;
         c.center += step[0] * u + step[1] * v;
         c.radius += step[2];
