@@ -383,8 +383,7 @@ Mat3 surface_moments(const Mesh& mesh) {
 /// The smallest turn that brings a direction, either way, along a coordinate axis.
 Mat3 turn_along(const Vec3& direction, int axis) {
     const Vec3 to = Vec3::Unit(axis);
-    return Eigen::Quaterniond::FromTwoVectors(direction.dot(to) < 0 ? Vec3(-direction) : direction, to)
-        .toRotationMatrix();
+    return turn_between(direction.dot(to) < 0 ? Vec3(-direction) : direction, to).toRotationMatrix();
 }
 
 } // namespace
