@@ -69,6 +69,23 @@ private slots:
         QCOMPARE(read_archive(bytes, "it").size(), std::size_t(1));
     }
 
+    /// What has a password is told before anything is read, whether libzip can undo it or not.
+    void encrypted_files_are_refused() {
+        const std::string sound = archive_bytes({{"a", "some text"}, {"b", "more"}});
+        const std::size_t last = sound.rfind("PK\1\2"), local = sound.rfind("PK\3\4");
+        QVERIFY(last != std::string::npos && local != std::string::npos);
+        std::string bytes = sound;
+        for (const std::size_t flags : {last + 8, local + 6})
+            bytes[flags] = static_cast<char>(bytes[flags] | 1);
+        QCOMPARE(code_of([&] { read_archive(bytes, "it"); }), std::string("unsupported_format"));
+        try {
+            ArchiveReader(bytes, "it");
+        } catch (const Error& e) {
+            QCOMPARE(e.where(), std::string("it: b"));
+            QCOMPARE(e.message(), std::string("is encrypted"));
+        }
+    }
+
     void limits_hold() {
         const std::string bytes = archive_bytes({{"a", zeros(1000)}, {"b", zeros(1001)}});
         QCOMPARE(read_archive(bytes, "it", {2, 2001}).size(), std::size_t(2));
