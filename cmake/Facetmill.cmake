@@ -198,13 +198,14 @@ function(facetmill_moc_headers target folder)
     endforeach()
 endfunction()
 
-# facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] SOURCES ...): a QtTest program whose
+# facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] [ALL_CASES] SOURCES ...): a QtTest program whose
 # classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all rooms before it
 # or with ROOMS alone. Those without a label are the target unit_tests, and with FACETMILL_CHECKED each of them is linked
 # once more, with the rooms under sanitizers, as NAME_checked: the target checked_tests. Programs of higher cost are run
-# first, so that no processor idles while the longest one ends.
+# first, so that no processor idles while the longest one ends. ALL_CASES: it tries a part of its cases, and all of them in the
+# slow tests, as NAME_all_cases.
 function(facetmill_test name)
-    cmake_parse_arguments(ARG "" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "ALL_CASES" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
     if(ARG_ROOM)
         facetmill_rooms_up_to(ARG_ROOMS ${ARG_ROOM})
     endif()
@@ -238,6 +239,11 @@ function(facetmill_test name)
         set_tests_properties(${program} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} LABELS "${ARG_LABELS}"
             ENVIRONMENT "${FACETMILL_TEST_ENVIRONMENT}")
     endforeach()
+    if(ARG_ALL_CASES)
+        add_test(NAME ${name}_all_cases COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${name}>)
+        set_tests_properties(${name}_all_cases PROPERTIES TIMEOUT 7200 LABELS slow
+            ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=7200000;FACETMILL_ALL_CASES=1")
+    endif()
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests ${name})
     endif()

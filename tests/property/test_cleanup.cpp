@@ -190,7 +190,9 @@ private slots:
         const auto& all = parts();
         for (int i = 0; i < int(all.size()); ++i)
             for (const bool noisy : {false, true})
-                QTest::addRow("%s%s", all[std::size_t(i)].name.c_str(), noisy ? " noisy" : "") << i << noisy;
+                if (all_cases || noisy == (i % 3 == 1))
+                    QTest::addRow("%s%s", all[std::size_t(i)].name.c_str(), noisy ? " noisy" : "")
+                        << i << noisy;
     }
 
     /// At least 99 % of the length of known valleys lie beside a centre, at most 1 % of the length of centres
@@ -240,7 +242,8 @@ private slots:
     /// Every band is one piece without holes, or a ring round a closed valley: where two meet, neither has
     /// islands in the other.
     void bands_are_whole() {
-        for (int i = 0; i < int(parts().size()); ++i)
+        for (int i = 0; i < int(parts().size()); ++i) {
+            if (!all_cases && i % 3 == 1) continue; // only the noisy ones are planned
             for (const Strip& strip : planned(i, false, false).path.strips) {
                 const auto& center = strip.centers.at(0);
                 const bool closed = (center.front() - center.back()).norm() < 1e-9;
@@ -249,6 +252,7 @@ private slots:
                                         .arg(parts()[std::size_t(i)].name.c_str(), strip.name.c_str())
                                         .arg(strip.boundaries.size())));
             }
+        }
     }
 
     void only_what_no_cutter_reaches_stays_data() {
@@ -258,11 +262,12 @@ private slots:
         const auto& all = parts();
         for (int i = 0; i < int(all.size()); ++i) {
             const std::string& name = all[std::size_t(i)].name;
-            QTest::addRow("%s", name.c_str()) << i << false << false;
-            QTest::addRow("%s noisy", name.c_str()) << i << true << false;
-            // They take their time.
-            if (name == "mould" || name == "pillar") continue;
-            QTest::addRow("%s along z", name.c_str()) << i << false << true;
+            // Every run tries each part in one of the ways.
+            const auto asked = [&](int way) { return all_cases || i % 3 == way; };
+            const bool large = name == "mould" || name == "pillar";
+            if (asked(0) || (large && asked(2))) QTest::addRow("%s", name.c_str()) << i << false << false;
+            if (asked(1)) QTest::addRow("%s noisy", name.c_str()) << i << true << false;
+            if (asked(2) && !large) QTest::addRow("%s along z", name.c_str()) << i << false << true;
         }
     }
 

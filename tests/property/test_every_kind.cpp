@@ -10,6 +10,7 @@
 #include "tests/support/brute_lift.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -224,14 +225,21 @@ private slots:
         QTest::addColumn<int>("part");
         QTest::addColumn<int>("cutter");
         const auto tools = tools_of_every_shape();
-        for (const OperationKind& k : operation_kinds())
+        // Every cutter on the first part and on one of the others, a ball in the groove as well; what every
+        // run has time for: half of the cutters a kind on the first part, the others elsewhere.
+        std::size_t nth = 0;
+        for (const OperationKind& k : operation_kinds()) {
+            ++nth;
             for (std::size_t p = 0; p < parts().size(); ++p)
                 for (std::size_t c = 0; c < tools.size(); ++c) {
-                    // Every cutter on the first part and on one of the others, a ball in the groove as well.
-                    if (p > 0 && (p + c) % 4 != 0 && !(p == 1 && c == 0)) continue;
+                    const bool ball_in_groove = p == 1 && c == 0;
+                    if (p > 0 && (p + c) % 4 != 0 && !ball_in_groove) continue;
+                    if (!all_cases && !ball_in_groove && (nth + c) % 2 != std::min(p, std::size_t(1)))
+                        continue;
                     QTest::addRow("%s %s %s", k.kind.c_str(), parts()[p].name, tools[c].name)
                         << QString::fromStdString(k.kind) << int(p) << int(c);
                 }
+        }
     }
 
     void whatever_fits_is_cut_without_a_gouge() {
@@ -269,7 +277,7 @@ private slots:
             QString why = QString("%1 fits %2 combinations:").arg(k.kind.c_str()).arg(fits_[k.kind]);
             for (const auto& [text, times] : refusals_[k.kind])
                 why += QString("\n  %1 x %2").arg(times).arg(text.c_str());
-            QVERIFY2(fits_[k.kind] >= 3, qPrintable(why));
+            QVERIFY2(fits_[k.kind] >= (all_cases ? 3 : 2), qPrintable(why));
         }
     }
 
@@ -293,7 +301,7 @@ private slots:
                 const std::string alone = place.written(*place.plan());
                 set_thread_count(0);
                 QVERIFY(alone == reference);
-                for (const double at : {0.0, 0.3, 0.6, 0.9}) {
+                for (const double at : all_cases ? std::vector{0.0, 0.3, 0.6, 0.9} : std::vector{0.0, 0.6}) {
                     Job job;
                     QVERIFY2(cancelled_at(job, at, [&](const Progress& p) { place.plan(p); }),
                              qPrintable(QString::number(at)));

@@ -86,11 +86,11 @@ double deepest_found(const std::vector<VerifyProgram>& programs) {
     return most;
 }
 
-/// Random clamps for each kind of operation: two, or as many as FACETMILL_FIXTURES says.
+/// Random clamps for each kind of operation: one, or as many as FACETMILL_FIXTURES says.
 int clamps_per_kind() {
     bool is_number = false;
     const int asked = qEnvironmentVariableIntValue("FACETMILL_FIXTURES", &is_number);
-    return is_number ? asked : 2;
+    return is_number ? asked : 1;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "tests/support/part_meshes.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -112,11 +113,12 @@ private slots:
     void tips_one_by_one() {
         Random rng(29);
         std::size_t left = 0, held = 0;
+        const int across = trials(60, 4); // tips looked at over the cutter's width
         for (int trial = 0; trial < 4; ++trial) {
             const double a = uniform(rng, 0.8, 1.3), b = uniform(rng, 0.8, 1.3), h = uniform(rng, 1, 2);
             const ContactIndexPtr part = indexed(
                 height_field([&](double x, double y) { return h * std::sin(a * x) * std::cos(b * y); },
-                             Vec2(-8, -6), Vec2(8, 6), 40, 30));
+                             Vec2(-8, -6), Vec2(8, 6), trials(40, 2), trials(30, 2)));
             const double d = uniform(rng, 3, 6), more_than = uniform(rng, 0.02, 0.2);
             const std::array<AptCutter, 4> cutters{AptCutter::ball(d, 50), AptCutter::flat(d, 50),
                                                    AptCutter::bull(d, 0.2 * d, 50),
@@ -125,7 +127,7 @@ private slots:
             const ToolRest rest(part, cutter, more_than, {});
             const AxialLift lift(part, cutter);
             const PlanRegion region(rest.outline({}), {});
-            for (int k = 0; k < 40; ++k) {
+            for (int k = 0; k < trials(40, 3); ++k) {
                 const Vec2 p(uniform(rng, -7.9, 7.9), uniform(rng, -5.9, 5.9));
                 const double lack = rest.lack(p);
                 (lack > 0 ? left : held)++;
@@ -133,8 +135,8 @@ private slots:
                 if (!(lack > 0)) continue;
                 double lowest = infinity;
                 const Vec3 q = place_over(*part, p, more_than);
-                for (double x = -d / 2; x <= d / 2; x += d / 60)
-                    for (double y = -d / 2; y <= d / 2; y += d / 60) {
+                for (double x = -d / 2; x <= d / 2; x += d / across)
+                    for (double y = -d / 2; y <= d / 2; y += d / across) {
                         const double rho = std::hypot(x, y);
                         if (rho > d / 2) continue;
                         const double tip = lift.tip_z(q.x() + x, q.y() + y);
@@ -144,7 +146,8 @@ private slots:
                          qPrintable(QString("trial %1: %2 and %3").arg(trial).arg(lack).arg(lowest)));
             }
         }
-        QVERIFY2(left > 15 && held > 15, qPrintable(QString("%1 left, %2 held").arg(left).arg(held)));
+        const auto some = trials(std::size_t(15), std::size_t(3));
+        QVERIFY2(left > some && held > some, qPrintable(QString("%1 left, %2 held").arg(left).arg(held)));
     }
 
     void as_a_boundary() {
