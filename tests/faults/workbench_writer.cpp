@@ -1,7 +1,7 @@
 // Writes what the workbench writes, by the window's own functions, for tests/faults/attack_files, which kills
 // it meanwhile, fills the disk or takes away the right to write.
 //
-//     workbench_writer save|programs|sheet|picture|chart|values TARGET [--user NUMBER] PROJECT ...
+//     workbench_writer save|packed|programs|sheet|picture|chart|values TARGET [--user NUMBER] PROJECT ...
 //     workbench_writer autosave TARGET PROJECT
 //     workbench_writer restore TARGET
 //
@@ -71,6 +71,8 @@ QString write(ui::MainWindow& window, const QString& what, const QString& target
     bool done = true;
     if (what == QLatin1String("save"))
         done = window.files().save_to(target);
+    else if (what == QLatin1String("packed"))
+        window.files().save_packed_to(target);
     else if (what == QLatin1String("programs"))
         window.exports().save_programs(target);
     else if (what == QLatin1String("sheet"))
@@ -99,7 +101,7 @@ QString run(const QStringList& words) {
         window.resize(600 + 40 * int(k), 480); // every picture is another one
         window.open_file(words[k]);
         wait_until_settled(window);
-        if (words[0] != QLatin1String("save")) window.plan();
+        if (words[0] != QLatin1String("save") && words[0] != QLatin1String("packed")) window.plan();
         wait_until_settled(window);
         if (words[0] == QLatin1String("sheet")) window.verify();
         wait_until_settled(window);
