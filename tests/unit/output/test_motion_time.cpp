@@ -1,6 +1,6 @@
 // Programs of several axes on a machine: times, turns, findings.
-#include "core/output/motion_time.h"
 #include "core/base/turn.h"
+#include "core/output/motion_time.h"
 #include "core/setup/joint_course.h"
 #include "tests/support/test_runner.h"
 
@@ -249,9 +249,7 @@ private slots:
                         Joints on;
                         for (std::size_t r = 0; r < 2; ++r)
                             on.rotary[r] = (1 - t) * from.rotary[r] + t * to.rotary[r];
-                        const Vec3 meant =
-                            Eigen::Quaterniond::Identity().slerp(t, turn_between(a, b))
-                            * a;
+                        const Vec3 meant = Eigen::Quaterniond::Identity().slerp(t, turn_between(a, b)) * a;
                         off = std::max(off, (k.forward(on).axis - meant).norm());
                     }
                     if (rapid) return time + (off > radians(1) || turns_over(from, to) ? 100 : 0);
