@@ -45,7 +45,7 @@ SideFeed::SideFeed(const LatheField& field, bool across_turns, double from, doub
     smallest_ = tolerance::smallest_step_share * std::min(level * per_length_, largest_);
     last_ = std::min(1.2 * level * per_length_, largest_);
 
-    LatheTolerance fine;
+    LineTolerance fine;
     fine.below = fine.above = line_share * cusp;
     fine.spacing = std::min(0.25 * level, safe_lathe_spacing(cover.profile(), part, line_share * cusp));
     const double apart = across_turns ? 2 * pi * part : to - from;

@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/strategy/surface/lift_line.h"
+#include "core/strategy/surface/line_refiner.h"
 
 #include <cmath>
 
@@ -12,44 +12,30 @@ namespace {
 
 /// Places that a thread takes at a time.
 constexpr std::size_t line_points_per_block = 256;
-/// Halvings between two places, at most: a guard only, since they end where pieces are short.
-constexpr int deepest = 40;
 
 LathePlace between(const LathePlace& a, const LathePlace& b, double t) {
     return {a.angle + t * (b.angle - a.angle), a.y + t * (b.y - a.y)};
 }
 
-class Refiner {
-public:
-    Refiner(const LatheField& field, const LatheTolerance& tolerance)
-        : field_(field), tolerance_(tolerance), shortest_(0.25 * std::min(tolerance.below, tolerance.above)) {
-    }
+/// One line over a field, for one thread.
+struct FieldLine {
+    using Point = LathePoint;
+    const LatheField& field;
+    const Progress& progress;
+    LatheField::Hint hint;
 
-    /// Appends what lies between a and b.
-    void add(const LathePoint& a, const LathePoint& b, std::vector<LathePoint>& out, LatheField::Hint& hint,
-             int depth = 0) const {
-        const double ds = lathe_distance(a.place, b.place, field_.part_radius()), du = b.u - a.u;
-        if (ds <= shortest_ || depth >= deepest) {
-            // A jump: a radial move on its low side.
-            if (du != 0) {
-                LathePoint corner = du < 0 ? a : b;
-                corner.place = du < 0 ? b.place : a.place;
-                out.push_back(corner);
-            }
-            return;
-        }
-        const LathePoint mid = field_.point(between(a.place, b.place, 0.5), hint);
-        const double lift = (mid.u - 0.5 * (a.u + b.u)) * ds / std::hypot(ds, du);
-        const bool even = lift <= 0.5 * tolerance_.below && lift >= -0.5 * tolerance_.above;
-        if (!even) add(a, mid, out, hint, depth + 1);
-        out.push_back(mid);
-        if (!even) add(mid, b, out, hint, depth + 1);
+    LathePoint middle(const LathePoint& a, const LathePoint& b) {
+        return field.point(between(a.place, b.place, 0.5), hint);
     }
-
-private:
-    const LatheField& field_;
-    LatheTolerance tolerance_;
-    double shortest_;
+    LinePoint flat(const LathePoint& from, const LathePoint& p) const {
+        return {lathe_distance(from.place, p.place, field.part_radius()), p.u};
+    }
+    static LathePoint over(const LathePoint& high, const LathePoint& low) {
+        LathePoint corner = high;
+        corner.place = low.place;
+        return corner;
+    }
+    void check() const { progress.check(); }
 };
 
 } // namespace
@@ -66,7 +52,7 @@ double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radi
 }
 
 std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
-                              const LatheTolerance& tolerance, const Progress& progress) {
+                              const LineTolerance& tolerance, const Progress& progress) {
     // Places to look at: every piece of the route in even parts.
     std::vector<LathePlace> places;
     double count = 1;
@@ -97,15 +83,18 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
             nodes[i] = field.point(places[i], hint);
     });
 
-    // By the safe spacing nothing is cut between two nodes that is deeper than allowed. What is left to find
-    // are bends where the straight motion would stay too high or, towards a jump, too low: there the slope
-    // changes from one interval to the next.
+    // Between two nodes no farther apart than the safe spacing, along the path itself, nothing is cut that is
+    // deeper than allowed. What is left to find are bends where the straight motion would stay too high:
+    // there the slope changes from one interval to the next.
     const auto slope = [&](std::size_t i) { // in the interval that ends at i
         const double ds = lathe_distance(nodes[i - 1].place, nodes[i].place, field.part_radius());
         return ds > 0 ? (nodes[i].u - nodes[i - 1].u) / ds : 0.0;
     };
     const auto bends = [&](std::size_t i) {
         const double ds = lathe_distance(nodes[i - 1].place, nodes[i].place, field.part_radius());
+        if (std::hypot(ds, nodes[i].u - nodes[i - 1].u)
+            > tolerance.spacing * (1 + tolerance::figure_rounding))
+            return true;
         const double s = slope(i);
         const double before = i > 1 ? std::abs(s - slope(i - 1)) : infinity;
         const double after = i + 1 < n ? std::abs(slope(i + 1) - s) : infinity;
@@ -113,16 +102,17 @@ std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlac
         const double least = 0.5 * std::min(tolerance.below, tolerance.above);
         return 0.25 * ds * std::max(before, after) / std::hypot(1.0, s) > least;
     };
-    const Refiner refiner(field, tolerance);
     std::vector<std::vector<LathePoint>> extra((n - 1) / line_points_per_block + 1);
     std::vector<std::uint32_t> extra_before(n, 0); // points to put in before each node
     parallel_blocks(n, line_points_per_block, progress.part(0.7, 1), [&](std::size_t begin, std::size_t end) {
-        LatheField::Hint hint;
+        FieldLine line{field, progress, {}};
+        const LineRefiner refiner(line, tolerance);
         auto& more = extra[begin / line_points_per_block];
         for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) {
             if (!bends(i)) continue;
             const std::size_t had = more.size();
-            refiner.add(nodes[i - 1], nodes[i], more, hint);
+            refiner.add(nodes[i - 1], line.middle(nodes[i - 1], nodes[i]), nodes[i], more);
+            more.pop_back(); // the node itself
             extra_before[i] = std::uint32_t(more.size() - had);
             progress.check();
         }

@@ -4,18 +4,12 @@
 
 #include "core/base/progress.h"
 #include "core/strategy/lathe/lathe_field.h"
+#include "core/strategy/surface/lift_line.h"
 
 #include <span>
 #include <vector>
 
 namespace facetmill {
-
-struct LatheTolerance {
-    double below = 0.01, above = 0.01; ///< mm, measured across the path
-    /// Places looked at are no farther apart than this, in mm of the distance that any point of the part
-    /// makes under the cutter. See safe_lathe_spacing.
-    double spacing = 1;
-};
 
 /// The spacing at which nothing can be missed. A point of the part at the distance R from the axis passes the
 /// cutter on an arc, which leaves its chord by c^2 / 8R; the chord dips into a cutter that stands clear at
@@ -26,11 +20,12 @@ double safe_lathe_spacing(const CutterProfile& profile, double part_radius, doub
 double lathe_distance(const LathePlace& a, const LathePlace& b, double part_radius);
 
 /// Points over the polyline of `route` (at least one place), all of its places among them. Every point is on
-/// the field but for corners of radial moves, which are above it. Between two looked at, more are put in
-/// where neighbours say that the field bends by more than the tolerance holds. Throws Error(limit_exceeded)
-/// beyond max_lathe_points.
+/// the field but for corners of radial moves, which are above it. Places looked at are no farther apart than
+/// `tolerance.spacing`, in mm of the distance that any point of the part makes under the cutter (see
+/// safe_lathe_spacing); more are put in where the path falls by more than that, and where neighbours say that
+/// the field bends by more than the tolerance holds. Throws Error(limit_exceeded) beyond max_lathe_points.
 std::vector<LathePoint> trace(const LatheField& field, std::span<const LathePlace> route,
-                              const LatheTolerance& tolerance, const Progress& progress);
+                              const LineTolerance& tolerance, const Progress& progress);
 
 /// Leaves out points that the motion between the others passes within the tolerances, but never one of the
 /// route's places (in its order). This also takes off the jitter that facets cause.

@@ -75,7 +75,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     }
 
     const LatheRoute route = lathe_route(s.pattern, range_, steps, advance, progress.part(0.3, 0.31));
-    LatheTolerance fine;
+    LineTolerance fine;
     fine.below = fine.above = s.look_share * chord;
     fine.spacing = safe_lathe_spacing(field_->cover().profile(), part_radius, fine.below);
     points_ = thinned(trace(*field_, route.places, fine, progress.part(0.31, 0.95, "Following the part")),

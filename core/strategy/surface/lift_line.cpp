@@ -3,70 +3,26 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/surface/holder_reach.h"
+#include "core/strategy/surface/line_refiner.h"
 
 namespace facetmill {
 
 namespace {
 
 constexpr std::size_t block_segments = 8;
-constexpr int deepest = 40;
+/// One line over a field, for one thread.
+struct FieldLine {
+    using Point = LinePoint;
+    const LiftField& field;
+    Vec2 origin, direction;
+    const Progress& progress;
+    LiftHint hint;
 
-class Refiner {
-public:
-    Refiner(const LiftField& field, const Vec2& origin, const Vec2& direction, const LineTolerance& tolerance,
-            const Progress& progress)
-        : field_(field), origin_(origin), direction_(direction), tolerance_(tolerance), progress_(progress) {}
-
-    LinePoint at(double s, LiftHint& hint) const { return {s, field_.tip_z(origin_ + s * direction_, hint)}; }
-
-    LinePoint middle(const LinePoint& a, const LinePoint& b, LiftHint& hint) const {
-        return at(0.5 * (a.s + b.s), hint);
-    }
-
-    /// Appends what lies between a and b, with `mid` half-way, and b.
-    void add(const LinePoint& a, const LinePoint& mid, const LinePoint& b, std::vector<LinePoint>& out,
-             LiftHint& hint, int depth = 0) const {
-        if (b.s - a.s <= tolerance_.shortest() || depth >= deepest) {
-            if (b.z < a.z)
-                out.push_back({b.s, a.z});
-            else if (b.z > a.z)
-                out.push_back({a.s, b.z});
-            out.push_back(b);
-            return;
-        }
-        if (depth % 8 == 7) progress_.check();
-        const LinePoint before = middle(a, mid, hint), after = middle(mid, b, hint);
-        if (is_straight(a, before, mid, after, b)) {
-            out.insert(out.end(), {before, mid, after, b});
-            return;
-        }
-        add(a, before, mid, out, hint, depth + 1);
-        add(mid, after, b, out, hint, depth + 1);
-    }
-
-private:
-    /// Whether quarters of a piece are all near its chord, and short. The middle alone does not tell: down a
-    /// steep wall the path bends over the wall's edge and back at its foot, and what the one bend lifts the
-    /// middle over the chord the other may lower it. Of the height of a single kink, wherever it is, the
-    /// nearest quarter shows four fifths; half of what is allowed leaves room for a second one beside it.
-    bool is_straight(const LinePoint& a, const LinePoint& before, const LinePoint& mid,
-                     const LinePoint& after, const LinePoint& b) const {
-        const double ds = b.s - a.s, dz = b.z - a.z, across = ds / std::hypot(ds, dz);
-        const LinePoint* const quarter[] = {&a, &before, &mid, &after, &b};
-        for (std::size_t k = 1; k < 5; ++k) {
-            const LinePoint &p = *quarter[k - 1], &q = *quarter[k];
-            // Along the path itself, not as seen from above: that is what the cutter may pass unseen.
-            if (std::hypot(q.s - p.s, q.z - p.z) > tolerance_.spacing) return false;
-            const double off = (q.z - a.z - 0.25 * double(k) * dz) * across;
-            if (off > 0.5 * tolerance_.below || off < -0.5 * tolerance_.above) return false;
-        }
-        return true;
-    }
-
-    const LiftField& field_;
-    Vec2 origin_, direction_;
-    LineTolerance tolerance_;
-    const Progress& progress_;
+    LinePoint at(double s) { return {s, field.tip_z(origin + s * direction, hint)}; }
+    LinePoint middle(const LinePoint& a, const LinePoint& b) { return at(0.5 * (a.s + b.s)); }
+    static LinePoint flat(const LinePoint& from, const LinePoint& p) { return {p.s - from.s, p.z}; }
+    static LinePoint over(const LinePoint& high, const LinePoint& low) { return {low.s, high.z}; }
+    void check() const { progress.check(); }
 };
 
 } // namespace
@@ -101,21 +57,20 @@ double safe_spacing(const CutterProfile& profile, double below) {
 
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
                                  double s1, const LineTolerance& tolerance, const Progress& progress) {
-    const Refiner refiner(field, origin, direction, tolerance, progress);
-    LiftHint first;
-    if (!(s1 > s0)) return {refiner.at(s0, first)};
+    if (!(s1 > s0)) return {FieldLine{field, origin, direction, progress, {}}.at(s0)};
     const auto n = std::size_t(std::ceil((s1 - s0) / (2 * tolerance.spacing)));
     const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
     const std::size_t blocks = (n - 1) / block_segments + 1;
     std::vector<std::vector<LinePoint>> parts(blocks);
     parallel_blocks(n, block_segments, progress, [&](std::size_t begin, std::size_t end) {
         auto& part = parts[begin / block_segments];
-        LiftHint hint;
-        LinePoint last = refiner.at(node(begin), hint);
+        FieldLine on{field, origin, direction, progress, {}};
+        const LineRefiner refiner(on, tolerance);
+        LinePoint last = on.at(node(begin));
         if (begin == 0) part.push_back(last);
         for (std::size_t i = begin; i < end; ++i) {
-            const LinePoint next = refiner.at(node(i + 1), hint);
-            refiner.add(last, refiner.middle(last, next, hint), next, part, hint);
+            const LinePoint next = on.at(node(i + 1));
+            refiner.add(last, on.middle(last, next), next, part);
             last = next;
         }
     });

@@ -1,5 +1,6 @@
 // What a cutter touches and covers, lines of tips, step-overs: against direct evaluation.
 #include "core/strategy/finish3/stepover.h"
+#include "core/strategy/surface/line_refiner.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
 
@@ -232,6 +233,35 @@ private slots:
                              qPrintable(QString("%1 %2 %3: %4").arg(tip).arg(taper).arg(pitch).arg(worst)));
                 }
             }
+    }
+
+    /// Down two steps whose middle lies on the chord: it says nothing of what stands on either side.
+    void two_steps_are_not_taken_for_a_slope() {
+        struct Steps {
+            using Point = LinePoint;
+            static double z(double s) { return s < 0.35 ? 10 : s < 0.65 ? 5 : 0; }
+            static LinePoint at(double s) { return {s, z(s)}; }
+            static LinePoint middle(const LinePoint& a, const LinePoint& b) { return at(0.5 * (a.s + b.s)); }
+            static LinePoint flat(const LinePoint& from, const LinePoint& p) { return {p.s - from.s, p.z}; }
+            static LinePoint over(const LinePoint& high, const LinePoint& low) { return {low.s, high.z}; }
+            static void check() {}
+        } steps;
+        LineTolerance tolerance;
+        tolerance.below = tolerance.above = 0.01;
+        tolerance.spacing = 1;
+        std::vector<LinePoint> line{Steps::at(0)};
+        LineRefiner(steps, tolerance).add(Steps::at(0), Steps::at(0.5), Steps::at(1), line);
+        QCOMPARE(line.back().s, 1.0);
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const LinePoint &a = line[i - 1], &b = line[i];
+            QVERIFY(b.s >= a.s);
+            for (double t = 0; t < 1 && b.s > a.s; t += 0.05) {
+                const double s = a.s + t * (b.s - a.s), under = Steps::z(s) - (a.z + t * (b.z - a.z));
+                // Across the motion, of which a step's own is upright.
+                QVERIFY2(under * (b.s - a.s) / std::hypot(b.s - a.s, b.z - a.z) <= tolerance.below,
+                         qPrintable(QString("%1 under the step at %2").arg(under).arg(s)));
+            }
+        }
     }
 
     void thinning_keeps_within_its_band() {

@@ -281,7 +281,7 @@ private slots:
             std::vector<LathePlace> route;
             for (int k = 0; k <= 120; ++k)
                 route.push_back({2 * pi * k / 60, 20 + 0.02 * k});
-            LatheTolerance fine;
+            LineTolerance fine;
             fine.below = fine.above = 0.004;
             fine.spacing = safe_lathe_spacing(field.cover().profile(), field.part_radius(), fine.below);
             const auto all = trace(field, route, fine, Progress());
@@ -291,6 +291,13 @@ private slots:
             for (const LathePoint& p : points)
                 met += met < route.size() && p.place.angle == route[met].angle && p.place.y == route[met].y;
             QCOMPARE(met, route.size());
+            // Along the path itself no two places that were looked at are farther apart than what lies
+            // between them may be, but for radial moves.
+            for (std::size_t i = 1; i < all.size(); ++i) {
+                const double ds = lathe_distance(all[i - 1].place, all[i].place, field.part_radius());
+                QVERIFY(ds <= fine.shortest()
+                        || std::hypot(ds, all[i].u - all[i - 1].u) <= 1.000001 * fine.spacing);
+            }
             LatheField::Hint hint;
             double deep = 0, high = 0;
             for (std::size_t i = 1; i < points.size(); ++i)
