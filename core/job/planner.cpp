@@ -89,6 +89,24 @@ bool has_limits(const Machine& machine) {
                        [](const Travel& t) { return t.limited(); });
 }
 
+/// Roughing and clean-up leave out what shank or holder would meet; others are told. Of a part that turns
+/// only raw material is known, so that nothing may have been turned before.
+void look_for_shank_in_stock(OperationResult& result, const Project& project, const Operation& operation,
+                             const PlanContext& context, const Progress& progress) {
+    if (operation.purpose() != Purpose::finishing || operation.is_indexed()) return;
+    ShankInStock touched;
+    if (const LatheCommon* lathe = operation.turning()) {
+        const auto turns = [](const auto& o) { return o->turning() != nullptr; };
+        const auto first = std::find_if(project.operations.begin(), project.operations.end(), turns);
+        if (first != project.operations.end() && (*first)->common().name != operation.common().name) return;
+        touched = shank_in_stock(result.program.motions, *lathe, context, progress);
+    } else {
+        touched = shank_in_stock(result.program.motions, context, progress);
+    }
+    if (std::string warning = shank_in_stock_warning(touched, context); !warning.empty())
+        result.motion_warnings.push_back(std::move(warning));
+}
+
 /// All of a program but its motions, and what they take.
 void finish_program(OperationResult& result, const Project& project, const Operation& operation,
                     const PlanContext& context, const Progress& progress) {
@@ -122,13 +140,8 @@ void finish_program(OperationResult& result, const Project& project, const Opera
         for (const MotionJoints& m : followed.motions)
             joints->push_back(m.at);
         result.joints = std::move(joints);
-        // Clean-up leaves out what it cannot pass; a part that turns is cut from all round.
-        if (!operation.turning() && !operation.keeps_axis() && operation.purpose() != Purpose::cleaning)
-            if (std::string touched =
-                    shank_in_stock_warning(shank_in_stock(program.motions, context, progress), context);
-                !touched.empty())
-                result.motion_warnings.push_back(std::move(touched));
     }
+    look_for_shank_in_stock(result, project, operation, context, progress);
     if (followed.motions.empty() && has_limits(context.machine))
         followed = machine_motion(program, context.machine, {}, progress);
     result.out_of_reach = out_of_reach(followed, program, context.machine, project.unit);

@@ -28,7 +28,8 @@ public:
     LatheLinker(const LatheCommon& settings, const PlanContext& context, const TurnedPath& turned,
                 const LinkOptions& options, const Progress& progress)
         : frame_(settings, context), stock_(frame_, context, LatheStock::Of::whole_tool, progress),
-          clearance_(options.clearance), rapid_chord_share_(options.rapid_chord_share) {
+          shank_(frame_, context, LatheStock::Of::above_flutes, progress), clearance_(options.clearance),
+          rapid_chord_share_(options.rapid_chord_share) {
         const Mesh stock = lathe_stock_mesh(context.stock, context.stock_box);
         const double zones =
             radius_about(frame_, lathe_zone_mesh(settings, frame_, stock, options.clearance));
@@ -69,25 +70,21 @@ public:
     }
 
 private:
-    LathePlace place_of(const CutterLocation& c) const {
-        const Vec3 r = c.axis - c.axis.dot(frame_.axis().direction) * frame_.axis().direction;
-        const Vec3& z = frame_.zero();
-        const double angle = std::atan2(frame_.axis().direction.cross(z).dot(r), z.dot(r));
-        return {angle, frame_.along(c.tip) - height(c, angle) * std::sin(frame_.tilt())};
-    }
     double height(const CutterLocation& c, double angle) const { return frame_.height(c.tip, angle); }
 
     /// Tip height at which the tool is clear of the raw material at a place.
     double clear_of_stock(const LathePlace& place, double u) {
-        return std::min(out_, std::max(stock_.u(place, hint_), u) + clearance_);
+        return std::min(out_, std::max(stock_.u(place, in_way_), u) + clearance_);
     }
 
     /// Out of the cut at feed, the rest in a rapid.
     void retract() {
-        const LathePlace place = place_of(*at_);
+        const LathePlace place = frame_.place(*at_);
         const double u = height(*at_, place.angle);
-        // Nothing stands above a place that the tool came down to, but sides of the cut touch it.
-        const double free = std::min(out_, u + clearance_);
+        // Nothing stands above a place that the tool came down to, but sides of the cut touch it; and the
+        // raw material what is wider than the flutes.
+        const double free =
+            shank_.u(place, shank_in_way_) > u ? clear_of_stock(place, u) : std::min(out_, u + clearance_);
         move_out(MotionKind::retract, u, free);
         move_out(MotionKind::rapid, free, out_);
     }
@@ -97,12 +94,12 @@ private:
     }
 
     void travel_to(const CutterLocation& start) {
-        const LathePlace to = place_of(start);
+        const LathePlace to = frame_.place(start);
         const double u = height(start, to.angle);
         const CutterLocation above{start.tip + (out_ - u) * start.axis, start.axis};
         if (at_) {
             retract();
-            const LathePlace from = place_of(*at_);
+            const LathePlace from = frame_.place(*at_);
             const double turn = std::remainder(to.angle - from.angle, 2 * pi);
             const double most = std::acos(std::max(0.0, 1 - rapid_chord_share_ * clearance_ / out_));
             const double parts = std::ceil(std::abs(turn) / std::min(2 * most, 0.25 * pi));
@@ -121,8 +118,8 @@ private:
     }
 
     LatheFrame frame_;
-    LatheStock stock_;
-    ToolLift::Hint hint_;
+    LatheStock stock_, shank_;
+    LatheStock::Hint in_way_, shank_in_way_;
     double clearance_, rapid_chord_share_, out_ = 0;
     std::optional<CutterLocation> at_;
     ToolMotions result_;

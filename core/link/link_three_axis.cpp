@@ -60,7 +60,10 @@ public:
     /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
     double up_from(const Vec3& tip, double top) const {
         if (!field_ || up_.is_undercut()) return top;
-        if (!up_.is_free(*field_, tip)) return down_to(tip, top);
+        // Shank and holder may have been brought into stock that nobody roughed.
+        const Vec2 p = tip.head<2>();
+        if (!up_.is_free(*field_, tip) || bodies_.clear_height(*field_, p, p) > tip.z())
+            return down_to(tip, top);
         return std::min(top, tip.z() + clearance_);
     }
     /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high

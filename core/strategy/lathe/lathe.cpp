@@ -81,6 +81,12 @@ CutterLocation LatheFrame::at(const LathePlace& place, double u) const {
     return {foot + u * a, a};
 }
 
+LathePlace LatheFrame::place(const CutterLocation& at) const {
+    const Vec3 r = at.axis - at.axis.dot(axis_.direction) * axis_.direction;
+    const double angle = std::atan2(side_.dot(r), zero_.dot(r));
+    return {angle, along(at.tip) - height(at.tip, angle) * sin_tilt_};
+}
+
 double LatheFrame::height(const Vec3& tip, double angle) const {
     return (tip - axis_.point).dot(radial(angle)) / cos_tilt_;
 }

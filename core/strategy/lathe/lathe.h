@@ -121,6 +121,8 @@ public:
     Vec3 tool_axis(double angle) const;
     /// The tool with its tip `u` out from the line across the axis at y.
     CutterLocation at(const LathePlace& place, double u) const;
+    /// Where a tool of this operation stands; the angle within half a turn of 0.
+    LathePlace place(const CutterLocation& at) const;
     /// u of a tip that stands at an angle.
     double height(const Vec3& tip, double angle) const;
     /// Place along the axis, and distance from it.

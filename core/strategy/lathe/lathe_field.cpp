@@ -161,13 +161,31 @@ LatheStock::LatheStock(const LatheFrame& frame, const PlanContext& context, Of o
     : frame_(frame) {
     const auto index = std::make_shared<ContactIndex>(
         std::make_shared<Mesh>(lathe_stock_mesh(context.stock, context.stock_box)), progress);
-    lift_ = of == Of::cutter ? std::make_unique<ToolLift>(index, CutterProfile(context.tool.cutter()))
-                             : std::make_unique<ToolLift>(index, context.tool);
+    const Tool& tool = context.tool;
+    if (of == Of::cutter)
+        bodies_.push_back({std::make_unique<ToolLift>(index, CutterProfile(tool.cutter())), 0});
+    if (of == Of::whole_tool) bodies_.push_back({std::make_unique<ToolLift>(index, tool), 0});
+    if (of != Of::above_flutes) return;
+    double base = tool.flute_length;
+    const auto add = [&](double diameter, double length) {
+        if (length > 0)
+            bodies_.push_back(
+                {std::make_unique<ToolLift>(index, CutterProfile(AptCutter::flat(diameter, length))), base});
+        base += length;
+    };
+    add(tool.shank_diameter, tool.shank_length);
+    for (const HolderSection& section : tool.holder)
+        add(section.diameter, section.length);
 }
 
-double LatheStock::u(const LathePlace& place, ToolLift::Hint& hint) const {
-    const CutterLocation at = frame_.at(place, 0);
-    return lift_->lift({at.tip, at.axis}, hint);
+double LatheStock::u(const LathePlace& place, Hint& hint) const {
+    hint.resize(bodies_.size());
+    double u = -infinity;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const CutterLocation at = frame_.at(place, bodies_[i].base);
+        u = std::max(u, bodies_[i].lift->lift({at.tip, at.axis}, hint[i]));
+    }
+    return u;
 }
 
 } // namespace facetmill

@@ -8,6 +8,7 @@
 #include "core/strategy/surface/cutter_cover.h"
 
 #include <memory>
+#include <vector>
 
 namespace facetmill {
 
@@ -66,17 +67,23 @@ private:
            stock_to_ = 0;
 };
 
-/// Where the tool is stopped over the raw material, for what is air and how far in rapids may go.
+/// Where the tool, or some of it, is stopped over the raw material: for what is air and how far in rapids may
+/// go.
 class LatheStock {
 public:
-    enum class Of { cutter, whole_tool };
+    enum class Of { cutter, whole_tool, above_flutes };
+    using Hint = std::vector<ToolLift::Hint>; ///< body by body
     LatheStock(const LatheFrame& frame, const PlanContext& context, Of of, const Progress& progress);
     /// -inf where it does not meet it.
-    double u(const LathePlace& place, ToolLift::Hint& hint) const;
+    double u(const LathePlace& place, Hint& hint) const;
 
 private:
+    struct Body {
+        std::unique_ptr<ToolLift> lift;
+        double base; ///< above the tip
+    };
     const LatheFrame& frame_;
-    std::unique_ptr<ToolLift> lift_;
+    std::vector<Body> bodies_;
 };
 
 } // namespace facetmill

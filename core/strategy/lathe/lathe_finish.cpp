@@ -17,7 +17,7 @@ constexpr std::size_t points_per_check = 256;
 bool meets_stock(const LathePath& path, const PlanContext& context, const Progress& progress) {
     const LatheStock stock(path.field().frame(), context, LatheStock::Of::cutter, progress);
     const double least = path.base().chord_tolerance;
-    ToolLift::Hint hint;
+    LatheStock::Hint hint;
     for (std::size_t i = 0; i < path.points().size(); ++i) {
         if (i % points_per_check == 0) progress.check();
         if (stock.u(path.points()[i].place, hint) > path.points()[i].u + least) return true;

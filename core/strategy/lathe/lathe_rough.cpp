@@ -90,7 +90,7 @@ private:
         stock_.resize(points.size());
         parallel_blocks(points.size(), points_per_block, progress.part(0.1, 1),
                         [&](std::size_t begin, std::size_t end) {
-                            ToolLift::Hint hint;
+                            LatheStock::Hint hint;
                             for (std::size_t i = begin; i < end; ++i)
                                 stock_[i] = stock.u(points[i].place, hint);
                         });

@@ -4,8 +4,10 @@
 #include "core/link/shank_in_stock.h"
 #include "core/link/tilted_stock.h"
 #include "core/strategy/five_axis/posture_path.h"
+#include "core/strategy/lathe/lathe_finish.h"
 #include "core/strategy/surface/stock_before.h"
 #include "tests/property/shapes.h"
+#include "tests/property/turned_part.h"
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -134,6 +136,63 @@ private slots:
             if (m.motions[i].kind == MotionKind::retract)
                 QVERIFY2(m.motions[i].to.tip.z() + tool.flute_length >= 7,
                          qPrintable(QString::number(m.motions[i].to.tip.z())));
+    }
+
+    /// A shank wider than the cutter, brought into stock that nobody roughed: out of it at feed.
+    void no_rapid_up_takes_a_shank_through_stock() {
+        Tool tool = ball_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 8;
+        tool.shank_length = 30;
+        PlanContext context = context_of(level(), tool);
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = 7;
+        context.stock_box = context.stock.box;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)})};
+        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+        QCOMPARE(kinds_of(m), std::string("rrac^rrrac^r"));
+        for (std::size_t i = 1; i < m.motions.size(); ++i)
+            if (m.motions[i].kind == MotionKind::rapid)
+                QVERIFY2(m.motions[i - 1].to.tip.z() + tool.flute_length >= 7,
+                         qPrintable(QString::number(m.motions[i - 1].to.tip.z())));
+    }
+
+    /// The same of a part that turns, and the planner's word for it.
+    void a_shank_in_raw_material_comes_out_at_feed() {
+        Tool tool = ball_tool(4);
+        tool.flute_length = 3;
+        tool.shank_diameter = 6;
+        tool.shank_length = 40;
+        PlanContext context = context_of(turned_part(48, 4, 20, [](double, double) { return 8.0; }), tool);
+        context.stock.kind = StockSolid::Kind::cylinder;
+        context.stock.axis = 0;
+        context.stock_box = context.stock.box = {Vec3(0, -15, -15), Vec3(20, 15, 15)};
+        LatheFinishSettings s;
+        s.pattern = LatheCommon::Pattern::rings;
+        const auto planned = [&](double radius) {
+            context.stock.radius = radius;
+            const LatheFinish op(s);
+            const StrategyResult path = op.plan(context, Progress());
+            return link_lathe(path, context, s, default_link_options(path, context, op.common()), Progress());
+        };
+        for (const double radius : {9.0, 15.0}) {
+            const ToolMotions m = planned(radius);
+            const ShankInStock in = shank_in_stock(m, s, context, Progress());
+            QCOMPARE(in.length > 0.9 * in.whole, radius > 8 + tool.flute_length);
+            QCOMPARE(shank_in_stock_warning(in, context).empty(), radius < 8 + tool.flute_length);
+            const auto base = [&](std::size_t i) {
+                const Vec3& p = m.motions[i].to.tip;
+                return std::hypot(p.y(), p.z()) + tool.flute_length;
+            };
+            std::size_t rapids = 0;
+            for (std::size_t i = 1; i < m.motions.size(); ++i)
+                if (m.motions[i].kind == MotionKind::rapid) {
+                    ++rapids;
+                    QVERIFY2(base(i - 1) >= radius, qPrintable(QString::number(base(i - 1))));
+                }
+            QCOMPARE(rapids > 0, radius < 8 + tool.flute_length); // all the way out at feed
+        }
     }
 
     /// A wall of height 8, its skin cut once: up along it, and down beside it, in rapids.
