@@ -341,15 +341,17 @@ void Planner::add_warnings() {
             + ", most at " + text_(lack.at) + ": use a longer tool");
 }
 
-/// The part with every vertex moved along its normal (Lu 3.4.3).
+/// The part with every vertex moved along its normal (Lu 3.4.3), and all that the cutter keeps off as it is:
+/// where the moved surface crosses itself or is wound the wrong way it lies inside the part.
 ContactIndexPtr Planner::offset_index(const Progress& progress) const {
     std::shared_ptr<const MeshGeometry> geometry = context_.geometry;
     if (!geometry) geometry = compute_geometry(*context_.part, progress.part(0, 0.5));
     const UpSide up(*context_.part, progress);
-    auto moved = std::make_shared<Mesh>(*context_.part);
-    for (std::size_t i = 0; i < moved->vertices.size(); ++i)
-        moved->vertices[i] += measures_.allowance * up.towards_tool(geometry->vertex_normals[i]);
-    return std::make_shared<ContactIndex>(moved, progress.part(0.5, 1));
+    auto both = std::make_shared<Mesh>(*context_.part);
+    for (std::size_t i = 0; i < both->vertices.size(); ++i)
+        both->vertices[i] += measures_.allowance * up.towards_tool(geometry->vertex_normals[i]);
+    append_mesh(*both, context_.contact->mesh());
+    return std::make_shared<ContactIndex>(both, progress.part(0.5, 1));
 }
 
 } // namespace

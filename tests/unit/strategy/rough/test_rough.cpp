@@ -1,11 +1,13 @@
 // Roughing on parts with known answers: layers, walls, islands, entries, what earlier operations left, and
 // what cannot be planned.
 #include "core/strategy/rough/rough.h"
+#include "core/strategy/rough/rough_check.h"
 #include "core/strategy/rough/rough_entry.h"
 #include "core/strategy/rough/rough_remaining.h"
 #include "core/strategy/surface/stock_before.h"
 #include "tests/property/shapes.h"
 #include "tests/support/error_code.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
