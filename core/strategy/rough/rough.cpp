@@ -307,6 +307,13 @@ void Planner::look_for_remaining(const Progress& progress) {
                                    + " of it, seen " + context_.seen_from() + ", up to "
                                    + text_(found.beyond + inner) + " stays above the allowance, most at "
                                    + text_(found.beyond_at) + ": rough again there with a smaller tool");
+    if (found.too_low > 0)
+        result_.warnings.push_back(
+            "no layer lies lower than " + text_(heights_.low) + ", where stock or part end, and over "
+            + share_text(double(found.too_low), double(found.places)) + " of the part, seen "
+            + context_.seen_from() + ", the tool would have to be lower: up to "
+            + text_(found.low_height + inner) + " stays above the allowance, most at " + text_(found.low_at)
+            + ": take a tool that is flatter at its end, or leave it to what comes after");
 }
 
 void Planner::add_warnings() {

@@ -73,12 +73,19 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                 ++worst.places;
                 const Vec3 over = on_part + in.allowance * n;
                 const Vec3 tip = over + cover.tip_offset(n);
-                if (tip.z() < in.lowest_tip) continue;
                 // Along the normal, where the stock over neighbouring cells may be higher.
                 const double left = height_along(field, over, n, field.box().size().z());
                 if (left <= in.allowed + field_noise * field.cell()) continue;
                 // Beside a wall the place lies in the wall's own allowance.
                 if (kept.is_above(over.x(), over.y(), over.z() + reach_share * in.allowed, hint)) continue;
+                if (tip.z() < in.lowest_tip) {
+                    ++worst.too_low;
+                    if (left > worst.low_height) {
+                        worst.low_height = left;
+                        worst.low_at = on_part;
+                    }
+                    continue;
+                }
                 // How far away the cutter stays, from wherever it comes down: over the place that would
                 // touch, or a little beside it where the part holds it up less.
                 const double near = reach_share * in.allowed;
@@ -111,7 +118,12 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                 a.beyond = b.beyond;
                 a.beyond_at = b.beyond_at;
             }
+            if (b.low_height > a.low_height) {
+                a.low_height = b.low_height;
+                a.low_at = b.low_at;
+            }
             a.places += b.places;
+            a.too_low += b.too_low;
             a.out_of_reach += b.out_of_reach;
             return a;
         });

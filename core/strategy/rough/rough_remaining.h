@@ -14,7 +14,7 @@ struct RemainingInput {
     const CutterProfile* profile = nullptr;
     const StockField* field = nullptr;
     double allowance = 0;               ///< all that is to stay along the normal
-    double lowest_tip = 0;              ///< no layer is lower; what asks for a lower tip is not judged
+    double lowest_tip = 0;              ///< no layer is lower
     const KeptWithin* within = nullptr; ///< places less than a cutter within its border are not judged
     double allowed = 0; ///< height that is expected; more than a share of it makes a place out of reach
 };
@@ -28,6 +28,9 @@ struct Remaining {
         0;             ///< places that the part keeps the cutter from, where more stays than allowed
     double beyond = 0; ///< the most there
     Vec3 beyond_at = Vec3::Zero();
+    std::size_t too_low = 0; ///< places that ask for a tip below the lowest, where more stays than allowed
+    double low_height = 0;   ///< the most there
+    Vec3 low_at = Vec3::Zero();
 };
 
 /// Looks at up to 200 000 cells that the part is seen in from above, flatter than 85 degrees, and at whose

@@ -316,10 +316,32 @@ private slots:
         s.offset = RoughSettings::Offset::vertices;
         const StrategyResult crude = Rough(s).plan(c, Progress());
         QVERIFY(warns(crude, "offset by vertices"));
+        // The part itself is kept, however its facets lie.
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const PlanContext dirty = context(*soup(40, 20, seed), tool, 5);
+            const StrategyResult any = Rough(s).plan(dirty, Progress());
+            const AxialLift part(dirty.contact, CutterProfile(tool.cutter()));
+            const double in = deepest_in_allowance(part, any.passes, 0.05, Progress()).depth;
+            QVERIFY2(in <= 1e-9, qPrintable(QString("%1 mm in the part of seed %2").arg(in).arg(seed)));
+        }
         // A plane has no such place.
         const PlanContext plane = context(
             height_field([](double, double) { return 0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3), tool, 5);
         QVERIFY(!warns(Rough(s).plan(plane, Progress()), "offset by vertices"));
+    }
+
+    /// At the foot of a dome that stands on the bottom of the stock, a ball would have to go below it.
+    void what_the_bottom_of_the_stock_keeps_the_tool_from_is_told() {
+        RoughSettings s = settings(2);
+        s.depth = {0, "from_tolerance"};
+        s.tolerance = 0.5;
+        PlanContext c = context(dome(10, 16), ball_tool(10), 3);
+        c.stock_box.lo.head<2>().array() -= 5;
+        c.stock_box.hi.head<2>().array() += 5;
+        const StrategyResult ball = Rough(s).plan(c, Progress());
+        QVERIFY2(warns(ball, "would have to be lower"), qPrintable(QString::number(ball.warnings.size())));
+        c.tool = flat_tool(6);
+        QVERIFY(!warns(Rough(s).plan(c, Progress()), "would have to be lower"));
     }
 
     /// What the form shows is what the plan does.
