@@ -52,28 +52,31 @@ struct Outcome {
 
 std::string verdict_of(const JudgedChain& chain, bool& right) {
     const Verification& v = *chain.result;
-    std::vector<std::string> warnings;
-    bool warned = false;
+    bool warned = false, into_allowance = false;
     for (const SetupPlan& setup : chain.setups)
         for (const auto& o : setup.plan->operations) {
-            for (const std::string& w : o->warnings())
-                warnings.push_back(w);
             warned = warned || !o->warnings().empty() || !o->out_of_reach.empty();
+            for (const std::string& w : o->warnings())
+                into_allowance = into_allowance || w.find("into the allowance") != std::string::npos;
         }
     const std::string findings = findings_line({&chain, 1});
     if (v.verdict() == Verdict::verified) return "verified";
     if (v.verdict() == Verdict::not_judged) return "not judged: " + v.not_judged;
     const bool touched = v.gouged() || !v.collisions.empty();
-    // Planners keep shank and holder out of the part; out of stock that nobody roughed they do not, nor say
-    // so.
+    // Layers of a stated depth leave their steps by intent; how high, a figure says.
+    const auto& last = chain.setups.back().plan->operations.back();
+    const bool told = std::all_of(v.uncut.begin(), v.uncut.end(), [&](const UncutReason& r) {
+        return !r.counts() || r.excess_max <= last->path.cusp_max;
+    });
+    // Offset by vertices cuts into the allowance, and says so; into the part it does not.
+    const double deepest = std::max(v.figures.gouge_max, v.border.gouge_max);
+    const bool gouged = into_allowance ? deepest > v.used.allowance + v.used.gouge_limit : v.gouged();
+    // Planners keep shank and holder out of the part; out of stock that nobody roughed they do not: they
+    // say so.
     const bool in_stock = std::all_of(v.collisions.begin(), v.collisions.end(), [](const Collision& c) {
         return !c.with_part && c.kind != Collision::Kind::rapid;
     });
-    // Offset by vertices cuts into the allowance, says so and is there for comparison.
-    const bool said = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
-        return w.find("into the allowance") != std::string::npos;
-    });
-    right = (said || !v.gouged()) && in_stock && (warned || touched);
+    right = !gouged && in_stock && (warned || touched || told);
     return std::string(touched ? "TOUCHED" : "uncut") + (warned ? " and said so: " : ": ") + findings;
 }
 
