@@ -12,8 +12,9 @@ namespace facetmill {
 
 namespace {
 
-/// So many rays in all: a look at them takes a tenth of a second.
-constexpr double search_rays = 1e5;
+/// So many rays in all: a look at them takes a tenth of a second. The first are too few to tell a piece from
+/// a rod between rays.
+constexpr double fewest_rays = 1e4, search_rays = 1e5, most_rays = 3e5;
 /// Pieces that are smaller than this share of all that is left are crumbs; larger ones than the other are no
 /// chips of the stock, but a frame that the part hung in.
 constexpr double crumb_share = 1e-3, frame_share = 0.02;
@@ -202,25 +203,33 @@ std::optional<std::size_t> StockPieces::at(const Vec3& p) const {
     return std::nullopt;
 }
 
-std::optional<LoosePieces> loose_pieces(const Mesh& part, const StockSolid& stock,
+std::optional<LoosePieces> loose_pieces(const Mesh& part, const StockModel& left,
                                         std::span<const VerifyProgram> programs, const Progress& progress) {
+    const StockSolid& stock = left.solid();
     const Vec3 size = stock.box.size();
     const double faces = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
-    StockPlayback playback(stock, {programs.begin(), programs.end()}, std::sqrt(faces / search_rays),
-                           progress.part(0, 0.05));
-    playback.go_to(double(playback.motion_count()), progress.part(0.05, 0.4));
-    const StockPieces pieces(playback.stock(), progress);
+    const double rays = double(left.lattice().rays());
+    const bool anew = rays < fewest_rays || rays > most_rays;
+    const double spacing = anew ? std::sqrt(faces / std::clamp(rays, fewest_rays, search_rays))
+                                : left.lattice().spacing.maxCoeff();
+    std::optional<StockPlayback> playback;
+    const auto play = [&](const Progress& part_of) -> StockPlayback& {
+        if (!playback)
+            playback.emplace(stock, std::vector(programs.begin(), programs.end()), spacing, part_of);
+        return *playback;
+    };
+    if (anew) play(progress.part(0, 0.05)).go_to(double(playback->motion_count()), progress.part(0.05, 0.4));
+    const StockPieces pieces(anew ? playback->stock() : left, progress);
     const double crumb = crumb_share * volume_of(pieces);
     if (pieces.pieces().size() < 2 || !(pieces.pieces()[1].volume > crumb)) return std::nullopt;
-    const StockLattice& lattice = playback.stock().lattice();
-    const std::size_t own = piece_of(part, pieces, lattice.spacing.maxCoeff()).value_or(0);
+    const std::size_t own = piece_of(part, pieces, spacing).value_or(0);
     LoosePieces loose;
     for (std::size_t i = 0; i < pieces.pieces().size() && pieces.pieces()[i].volume > crumb; ++i) {
         if (i == own) continue;
         if (loose.count++ == 0) loose.largest = pieces.pieces()[i];
     }
     loose.part_is_free = loose.largest.volume > frame_share * volume_of(pieces);
-    loose.at = first_apart(playback, crumb, progress.part(0.4, 1));
+    loose.at = first_apart(play(progress.part(0.4, 0.4)), crumb, progress.part(0.4, 1));
     progress.set(1.0);
     return loose;
 }

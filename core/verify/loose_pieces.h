@@ -51,10 +51,11 @@ struct LoosePieces {
         at; ///< the first motion after which there is more than one piece; unknown: seen by closer rays alone
 };
 
-/// Nothing where what the programs leave is one piece, but for crumbs. `part`: any orientation. Looked for
-/// with rays some hundred on a side: what is thin in one direction they see, a rod that falls between them
-/// they do not.
-std::optional<LoosePieces> loose_pieces(const Mesh& part, const StockSolid& stock,
+/// Nothing where `left`, which is what the programs leave of its solid, is one piece, but for crumbs. `part`:
+/// any orientation. What is thin in one direction the rays see, a rod that falls between them they do not.
+/// Where `left` has a great many rays or very few, the programs are cut once more with some hundred on a
+/// side.
+std::optional<LoosePieces> loose_pieces(const Mesh& part, const StockModel& left,
                                         std::span<const VerifyProgram> programs, const Progress& progress);
 
 } // namespace facetmill

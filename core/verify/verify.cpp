@@ -375,9 +375,11 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
 
     start = std::chrono::steady_clock::now();
     compare(v, part, stock, programs, prepared.radii, settings.sample_spacing > 0,
-            progress.part(0.6, 1.0, "Comparing with the part"));
-    merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(1.0, 1.0)));
-    if (settings.look_for_pieces) v.loose = loose_pieces(part, stock, programs, progress.part(1.0, 1.0));
+            progress.part(0.6, 0.9, "Comparing with the part"));
+    merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(0.9, 0.92)));
+    if (settings.look_for_pieces)
+        v.loose =
+            loose_pieces(part, *v.stock, programs, progress.part(0.92, 1.0, "Looking for loose pieces"));
     if (v.loose) v.remarks.push_back(loose_remark(*v.loose, programs));
     v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
     v.seconds_probing = seconds_since(start);

@@ -46,8 +46,10 @@ Mesh part() {
     return box(Vec3(-10, -6, 0), Vec3(10, 6, 8));
 }
 
-std::optional<LoosePieces> loose(const std::vector<VerifyProgram>& programs) {
-    return loose_pieces(part(), plate(), programs, Progress());
+std::optional<LoosePieces> loose(const std::vector<VerifyProgram>& programs, double resolution = 0.2) {
+    VerifySettings settings;
+    settings.resolution = resolution;
+    return loose_pieces(part(), *stock_after(plate(), programs, settings, Progress()), programs, Progress());
 }
 
 } // namespace
@@ -62,6 +64,11 @@ private slots:
             {-14, -10, -1}, {14, -10, -1}, {14, 10, -1}, {-14, 10, -1}, {-14, -10, -1}};
         const auto found = loose({route(corners)});
         QVERIFY(found);
+        // By rays of its own where the stock's are few, or a great many: the same.
+        for (const double resolution : {3.0, 0.1}) {
+            const auto other = loose({route(corners)}, resolution);
+            QVERIFY(other && other->part_is_free && other->at.motion == found->at.motion);
+        }
         QVERIFY(found->part_is_free);
         QCOMPARE(found->count, std::size_t(1));
         QCOMPARE(found->at.program, std::size_t(0));
