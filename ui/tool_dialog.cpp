@@ -22,15 +22,6 @@
 
 namespace facetmill::ui {
 
-namespace {
-
-/// In the order of the combo box; the first item is for tools that are none of the others.
-enum Shape { custom, ball, flat, bull, tapered_flat, tapered_ball, drill_point, cone };
-
-constexpr double usual_taper = 5.0 * (pi / 180.0);
-
-} // namespace
-
 ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> index, QWidget* parent) {
     if (!document.has_part()) return nullptr;
     const auto& tools = document.project().tools;
@@ -44,7 +35,7 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
     } else {
         if (!tools.empty()) tool = tools.back();
         tool.number = document.free_tool_number();
-        tool.name = tr("Tool %1").arg(tool.number).toStdString();
+        tool.name = usual_tool_name(tool, document.unit());
     }
     auto* dialog = new ToolDialog(tool, document.unit(), taken, parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -62,21 +53,25 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
 }
 
 ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent)
-    : QDialog(parent), tool_(tool), unit_(unit), taken_(std::move(taken)) {
+    : QDialog(parent), edit_(tool, unit), unit_(unit), taken_(std::move(taken)) {
     setWindowTitle(tr("Tool"));
     setObjectName(QStringLiteral("tool_dialog"));
 
     shape_ = new QComboBox(this);
     shape_->setObjectName(QStringLiteral("shape"));
-    // The names are those of Tool::shape_name.
+    // The names are those of Tool::shape_name, in the order of CutterShape.
     shape_->addItems({tr("Special"), tr("Ball end"), tr("Flat end"), tr("Bull nose"), tr("Tapered flat"),
                       tr("Tapered ball"), tr("Drill point"), tr("Cone")});
     shape_->setToolTip(tr("Sets corner radius and angles; every value can be changed afterwards."));
-    connect(shape_, &QComboBox::activated, this, &ToolDialog::set_shape);
+    connect(shape_, &QComboBox::activated, this, [this](int index) {
+        edit_.set_shape(CutterShape(index));
+        show_values();
+    });
 
     form_ = new ParameterForm(this);
     form_->set_live(true);
-    const ParameterView<Tool> view(tool_, tool_parameters());
+    Tool shown = tool;
+    const ParameterView<Tool> view(shown, tool_parameters());
     form_->set_parameters(view.parameters(), unit_, {}, {holder_list.key}); // the table has it
     form_->set_values(view, unit_);
     connect(form_, &ParameterForm::edited, this, &ToolDialog::set_value);
@@ -151,17 +146,19 @@ QLayout* ToolDialog::make_holder() {
     remove->setIcon(icon(Icon::remove));
     remove->setToolTip(tr("Remove the selected section"));
     connect(add, &QToolButton::clicked, this, [this] {
-        const HolderSection below = tool_.holder.empty()
-                                        ? HolderSection{tool_.shank_diameter * 2, tool_.shank_diameter * 3}
-                                        : tool_.holder.back();
-        tool_.holder.push_back(below);
+        const double shank = tool().shank_diameter;
+        auto sections = tool().holder;
+        sections.push_back(sections.empty() ? HolderSection{shank * 2, shank * 3} : sections.back());
+        edit_.set_holder(std::move(sections));
         show_holder();
         validate();
     });
     connect(remove, &QToolButton::clicked, this, [this] {
-        if (tool_.holder.empty()) return;
+        auto sections = tool().holder;
+        if (sections.empty()) return;
         const int row = holder_->currentRow() >= 0 ? holder_->currentRow() : holder_->rowCount() - 1;
-        tool_.holder.erase(tool_.holder.begin() + row);
+        sections.erase(sections.begin() + row);
+        edit_.set_holder(std::move(sections));
         show_holder();
         validate();
     });
@@ -176,54 +173,21 @@ QLayout* ToolDialog::make_holder() {
 }
 
 void ToolDialog::set_value(const std::string& key, const ParameterValue& value) {
-    ParameterView<Tool> view(tool_, tool_parameters());
-    view.set(key, value);
-    form_->set_values(view, unit_);
-    validate();
+    edit_.set(key, value);
+    show_values();
 }
 
-void ToolDialog::set_shape(int index) {
-    switch (Shape(index)) {
-    case custom:
-        return;
-    case ball:
-        tool_.corner_radius = tool_.diameter / 2;
-        tool_.bottom_angle = tool_.taper_angle = 0;
-        break;
-    case flat:
-        tool_.corner_radius = tool_.bottom_angle = tool_.taper_angle = 0;
-        break;
-    case bull:
-        tool_.corner_radius = tool_.diameter / 8;
-        tool_.bottom_angle = tool_.taper_angle = 0;
-        break;
-    case tapered_flat:
-        tool_.corner_radius = tool_.bottom_angle = 0;
-        tool_.taper_angle = usual_taper;
-        break;
-    case tapered_ball:
-        tool_.bottom_angle = 0;
-        tool_.taper_angle = usual_taper;
-        // The diameter is measured where side and bottom would meet, so the ball that touches the tapered
-        // side (e = 0) is a little larger than half of it.
-        tool_.corner_radius = tool_.diameter / 2 * std::tan(pi / 4 + tool_.taper_angle / 2);
-        break;
-    case drill_point:
-    case cone:
-        tool_.corner_radius = tool_.taper_angle = 0;
-        tool_.bottom_angle = pi / 4;
-        tool_.flute_length = tool_.diameter / 2 * (Shape(index) == cone ? 1.0 : 3.0);
-        break;
-    }
-    form_->set_values(ParameterView<Tool>(tool_, tool_parameters()), unit_);
+void ToolDialog::show_values() {
+    Tool shown = tool();
+    form_->set_values(ParameterView<Tool>(shown, tool_parameters()), unit_);
     validate();
 }
 
 void ToolDialog::show_holder() {
     filling_ = true;
-    holder_->setRowCount(int(tool_.holder.size()));
+    holder_->setRowCount(int(tool().holder.size()));
     for (int i = 0; i < holder_->rowCount(); ++i) {
-        const HolderSection& h = tool_.holder[std::size_t(i)];
+        const HolderSection& h = tool().holder[std::size_t(i)];
         holder_->setItem(i, 0, new QTableWidgetItem(text(format_number(h.diameter / mm_per(unit_), 7))));
         holder_->setItem(i, 1, new QTableWidgetItem(text(format_number(h.length / mm_per(unit_), 7))));
     }
@@ -249,7 +213,7 @@ void ToolDialog::read_holder() {
         sections.push_back({values[0] * mm_per(unit_), values[1] * mm_per(unit_)});
     }
     filling_ = false;
-    if (holder_problem_.isEmpty()) tool_.holder = std::move(sections);
+    if (holder_problem_.isEmpty()) edit_.set_holder(std::move(sections));
     validate();
 }
 
@@ -265,12 +229,12 @@ void ToolDialog::validate() {
     if (!marked_.empty()) form_->set_error(marked_, {});
     marked_.clear();
     check_message_.clear();
-    if (std::find(taken_.begin(), taken_.end(), tool_.number) != taken_.end()) {
+    if (std::find(taken_.begin(), taken_.end(), tool().number) != taken_.end()) {
         marked_ = "number";
-        check_message_ = tr("Number %1 belongs to another tool").arg(tool_.number);
+        check_message_ = tr("Number %1 belongs to another tool").arg(tool().number);
     } else {
         try {
-            check_tool(tool_);
+            check_tool(tool());
         } catch (const Error& e) {
             marked_ = e.where();
             check_message_ = with_lengths_in(failure_text(e), unit_);
@@ -286,12 +250,12 @@ void ToolDialog::validate() {
     colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
     problem_->setPalette(colors);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
-    sketch_->set_tool(tool_, unit_);
-    const QString name = text(tool_.shape_name());
-    shape_->setItemText(custom, QString());
-    const int shape = shape_->findText(name);
-    shape_->setItemText(custom, shape < 0 ? name : tr("Special"));
-    shape_->setCurrentIndex(std::max(shape, int(custom)));
+    sketch_->set_tool(tool(), unit_);
+    // What makes no cutter keeps the shape that it had: the message says what is wrong.
+    const std::string name = tool().shape_name();
+    const bool special = edit_.shape() == CutterShape::special && name != "Invalid";
+    shape_->setItemText(int(CutterShape::special), special ? text(name) : tr("Special"));
+    shape_->setCurrentIndex(int(edit_.shape()));
     validating_ = false;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/setup/tool.h"
+#include "core/setup/tool_edit.h"
 #include "ui/document.h"
 
 #include <QDialog>
@@ -28,7 +28,7 @@ public:
     /// document. Null where there is no such tool.
     static ToolDialog* open_for(Document& document, std::optional<std::size_t> index, QWidget* parent);
 
-    const Tool& tool() const { return tool_; }
+    const Tool& tool() const { return edit_.tool(); }
     /// Why OK is not possible; empty when it is.
     QString problem() const;
     void accept() override;
@@ -41,12 +41,12 @@ private:
     /// The table of its sections, with buttons.
     QLayout* make_holder();
     void set_value(const std::string& key, const ParameterValue& value);
-    void set_shape(int index);
+    void show_values();
     void read_holder();
     void show_holder();
     void validate();
 
-    Tool tool_;
+    ToolEdit edit_;
     LengthUnit unit_;
     std::vector<long> taken_;
     ParameterForm* form_ = nullptr;

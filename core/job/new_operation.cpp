@@ -1,5 +1,7 @@
 #include "core/job/new_operation.h"
 
+#include "core/setup/tool_edit.h"
+
 #include <algorithm>
 
 namespace facetmill {
@@ -161,7 +163,7 @@ private:
         half.diameter = half.shank_diameter = 0.5 * tool.diameter;
         half.corner_radius = 0.5 * half.diameter;
         half.bottom_angle = half.taper_angle = 0;
-        half.name = "Ball " + format_number(half.diameter / per_, 4);
+        half.name = usual_tool_name(half, project_.unit);
         return half;
     }
 

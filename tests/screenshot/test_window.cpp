@@ -310,6 +310,11 @@ private slots:
         auto* sketch = dialog->findChild<ui::ToolSketch*>();
         auto* form = dialog->findChild<ui::ParameterForm*>();
         const auto line = [&](const char* name) { return form->findChild<QLineEdit*>(QLatin1String(name)); };
+        auto* shape = dialog->findChild<QComboBox*>(QStringLiteral("shape"));
+        const auto choose_shape = [&](int index) {
+            shape->setCurrentIndex(index);
+            emit shape->activated(index);
+        };
         QVERIFY(ok->isEnabled());
         QVERIFY(sketch->why_not().isEmpty());
         shot(*dialog, QStringLiteral("dialog-tool"));
@@ -317,7 +322,15 @@ private slots:
         type_over(line("diameter"), QStringLiteral("-3"));
         QVERIFY(!ok->isEnabled());
         QVERIFY(!form->error("diameter").isEmpty());
+        // A ball stays one, on a shank as wide, and its name says so.
         type_over(line("diameter"), QStringLiteral("0.75"));
+        QVERIFY2(ok->isEnabled(), qPrintable(dialog->problem()));
+        QCOMPARE(dialog->tool().corner_radius, 0.75 * 25.4 / 2);
+        QCOMPARE(line("corner_radius")->text(), QStringLiteral("0.375"));
+        QCOMPARE(dialog->tool().shank_diameter, 0.75 * 25.4);
+        QCOMPARE(line("name")->text(), QStringLiteral("Ball 0.75"));
+        choose_shape(2);
+        QCOMPARE(line("name")->text(), QStringLiteral("Flat 0.75"));
         type_over(line("corner_radius"), QStringLiteral("5")); // larger than the tool
         QVERIFY(!ok->isEnabled());
         QVERIFY(!dialog->problem().isEmpty());
@@ -328,16 +341,16 @@ private slots:
         QVERIFY(sketch->why_not().isEmpty());
         shot(*dialog, QStringLiteral("dialog-tool-bull"));
 
-        auto* shape = dialog->findChild<QComboBox*>(QStringLiteral("shape"));
+        QCOMPARE(line("name")->text(), QStringLiteral("Bull 0.75 R0.1"));
+        type_over(line("name"), QStringLiteral("Mine"));
         for (int i = 1; i < shape->count(); ++i) {
-            shape->setCurrentIndex(i);
-            emit shape->activated(i);
+            choose_shape(i);
             QVERIFY2(dialog->problem().isEmpty(), qPrintable(shape->itemText(i) + dialog->problem()));
             QVERIFY2(sketch->why_not().isEmpty(), qPrintable(shape->itemText(i)));
             shot(*dialog, QStringLiteral("dialog-tool-shape%1").arg(i));
         }
-        shape->setCurrentIndex(3);
-        emit shape->activated(3);
+        choose_shape(3);
+        QCOMPARE(dialog->tool().name, std::string("Mine"));
 
         auto* holder = dialog->findChild<QTableWidget*>(QStringLiteral("holder"));
         const int sections = holder->rowCount();
