@@ -89,6 +89,19 @@ bool has_limits(const Machine& machine) {
                        [](const Travel& t) { return t.limited(); });
 }
 
+/// A clean-up cuts what its previous tool could not; what nobody cut with that stays.
+void look_for_previous_tool(OperationResult& result, const Project& project, const Operation& operation) {
+    if (!operation.has("previous_tool") || project.stock.kind == StockSpec::Kind::rest) return;
+    const long previous = std::get<long>(operation.get("previous_tool"));
+    for (const auto& o : project.operations) {
+        if (o->common().tool == previous) return;
+        if (o->has("rework_tool") && std::get<long>(o->get("rework_tool")) == previous) return;
+        if (o->common().name == operation.common().name) break;
+    }
+    result.motion_warnings.push_back("no operation before it cuts with tool " + std::to_string(previous)
+                                     + ", its previous tool: what that would have cut stays");
+}
+
 /// Roughing and clean-up leave out what shank or holder would meet; others are told. Of a part that turns
 /// only raw material is known, so that nothing may have been turned before.
 void look_for_shank_in_stock(OperationResult& result, const Project& project, const Operation& operation,
@@ -142,6 +155,7 @@ void finish_program(OperationResult& result, const Project& project, const Opera
         result.joints = std::move(joints);
     }
     look_for_shank_in_stock(result, project, operation, context, progress);
+    look_for_previous_tool(result, project, operation);
     if (followed.motions.empty() && has_limits(context.machine))
         followed = machine_motion(program, context.machine, {}, progress);
     result.out_of_reach = out_of_reach(followed, program, context.machine, project.unit);

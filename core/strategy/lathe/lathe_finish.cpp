@@ -48,8 +48,6 @@ StrategyResult LatheFinish::plan(const PlanContext& context, const Progress& pro
         && !meets_stock(path, context, progress.part(0.97, 0.98)))
         throw_no_stock_above(settings_.name, settings_.allowance, context.unit);
     StrategyResult result = path.base();
-    const std::vector<std::string> uncut = reach_warnings(path.reach(), context.unit);
-    result.warnings.insert(result.warnings.end(), uncut.begin(), uncut.end());
     const auto& points = path.points();
     const auto& turns = path.turns();
     for (std::size_t t = 0; t < turns.size(); ++t) {

@@ -115,6 +115,8 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     base_.stepover_max = route.feed_max * length;
     base_.chord_tolerance = chord;
     add_warnings(s, context);
+    const std::vector<std::string> uncut = reach_warnings(reach_, context.unit);
+    base_.warnings.insert(base_.warnings.end(), uncut.begin(), uncut.end());
     progress.set(1);
 }
 
