@@ -16,6 +16,7 @@ Command render_command();
 Command report_command();
 Command pack_command();
 Command unpack_command();
+Command tools_command();
 Command reference_command();
 
 /// All, in the order of the help.

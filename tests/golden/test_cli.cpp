@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         for (const char* command : {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render",
-                                    "pack", "unpack", "reference"}) {
+                                    "pack", "unpack", "tools", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);
@@ -267,6 +267,49 @@ private slots:
         const CliRun far = run_cli({"place", "bar.stl", "--on", "123456"}, s.path());
         QCOMPARE(far.status, 1);
         QVERIFY(far.err.contains("--on"));
+    }
+
+    /// Out of a project, over Fusion's format into the user's own libraries, and from there into another one.
+    void tools_go_from_hand_to_hand() {
+        const Sandbox s;
+        QFile::copy(QStringLiteral(FACETMILL_TEST_DATA "/golden/jobs/rough.facetmill"),
+                    s.path(QStringLiteral("p.facetmill")));
+        const CliRun out = run_cli({"tools", "export", "shop.json", "--project", "p.facetmill"}, s.path());
+        QVERIFY2(out.status == 0, out.err.constData());
+        QCOMPARE(json(out.out)["remarks"].toArray().size(), 0);
+        const CliRun in = run_cli({"tools", "import", "shop.json", "--library", "own"}, s.path());
+        QVERIFY2(in.status == 0, in.err.constData());
+        QVERIFY(QFile::exists(s.path(QStringLiteral("own/shop.fmtools"))));
+        // A second library of the name takes no place of the first.
+        QCOMPARE(run_cli({"tools", "import", "shop.json", "--library", "own"}, s.path()).status, 0);
+        QVERIFY(QFile::exists(s.path(QStringLiteral("own/shop 2.fmtools"))));
+        QFile::remove(s.path(QStringLiteral("own/shop 2.fmtools")));
+        const auto tools = json(in.out)["tools"].toArray();
+        QVERIFY(!tools.isEmpty());
+        const CliRun put =
+            run_cli({"tools", "import", "own/shop.fmtools", "--project", "p.facetmill", "-o", "q.facetmill"},
+                    s.path());
+        QVERIFY2(put.status == 0, put.err.constData());
+        QFile both(s.path(QStringLiteral("q.facetmill")));
+        QVERIFY(both.open(QIODevice::ReadOnly));
+        const auto listed = json(both.readAll())["tools"].toArray();
+        QCOMPARE(listed.size(), 2 * tools.size());
+        QSet<int> numbers;
+        for (const auto& tool : listed)
+            numbers.insert(tool.toObject()["number"].toInt());
+        QCOMPARE(numbers.size(), listed.size());
+        // What a format leaves out is said; what it cannot carry at all is an error that writes nothing.
+        const CliRun table = run_cli({"tools", "export", "t.tbl", "--library", "own"}, s.path());
+        QVERIFY2(table.status == 0, table.err.constData());
+        QVERIFY(!json(table.out)["remarks"].toArray().isEmpty());
+        const CliRun over = run_cli(
+            {"tools", "import", "shop.json", "--project", "p.facetmill", "-o", "p.facetmill"}, s.path());
+        QCOMPARE(over.status, 1);
+        const CliRun none = run_cli({"tools", "export", "x.json", "--library", "empty"}, s.path());
+        QCOMPARE(none.status, 1);
+        QVERIFY(none.err.contains("not_found"));
+        QVERIFY(!QFile::exists(s.path(QStringLiteral("x.json"))));
+        QCOMPARE(run_cli({"tools", "lend", "x.json"}, s.path()).status, 2);
     }
 
     void packed_projects_are_told_by_their_name() {
