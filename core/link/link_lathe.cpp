@@ -74,7 +74,7 @@ private:
 
     /// Tip height at which the tool is clear of the raw material at a place.
     double clear_of_stock(const LathePlace& place, double u) {
-        return std::min(out_, std::max(stock_.u(place, in_way_), u) + clearance_);
+        return std::min(out_, std::max(stock_.u(place, of_tool_), u) + clearance_);
     }
 
     /// Out of the cut at feed, the rest in a rapid.
@@ -84,7 +84,7 @@ private:
         // Nothing stands above a place that the tool came down to, but sides of the cut touch it; and the
         // raw material what is wider than the flutes.
         const double free =
-            shank_.u(place, shank_in_way_) > u ? clear_of_stock(place, u) : std::min(out_, u + clearance_);
+            shank_.u(place, of_shank_) > u ? clear_of_stock(place, u) : std::min(out_, u + clearance_);
         move_out(MotionKind::retract, u, free);
         move_out(MotionKind::rapid, free, out_);
     }
@@ -119,7 +119,7 @@ private:
 
     LatheFrame frame_;
     LatheStock stock_, shank_;
-    LatheStock::Hint in_way_, shank_in_way_;
+    LatheStock::Hint of_tool_, of_shank_;
     double clearance_, rapid_chord_share_, out_ = 0;
     std::optional<CutterLocation> at_;
     ToolMotions result_;

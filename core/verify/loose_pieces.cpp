@@ -14,7 +14,7 @@ namespace {
 
 /// So many rays in all: a look at them takes a tenth of a second. The first are too few to tell a piece from
 /// a rod between rays.
-constexpr double fewest_rays = 1e4, search_rays = 1e5, most_rays = 3e5;
+constexpr double min_searched_rays = 1e4, search_rays = 1e5, max_searched_rays = 3e5;
 /// Pieces that are smaller than this share of all that is left are crumbs; larger ones than the other are no
 /// chips of the stock, but a frame that the part hung in.
 constexpr double crumb_share = 1e-3, frame_share = 0.02;
@@ -209,8 +209,8 @@ std::optional<LoosePieces> loose_pieces(const Mesh& part, const StockModel& left
     const Vec3 size = stock.box.size();
     const double faces = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
     const double rays = double(left.lattice().rays());
-    const bool anew = rays < fewest_rays || rays > most_rays;
-    const double spacing = anew ? std::sqrt(faces / std::clamp(rays, fewest_rays, search_rays))
+    const bool anew = rays < min_searched_rays || rays > max_searched_rays;
+    const double spacing = anew ? std::sqrt(faces / std::clamp(rays, min_searched_rays, search_rays))
                                 : left.lattice().spacing.maxCoeff();
     std::optional<StockPlayback> playback;
     const auto play = [&](const Progress& part_of) -> StockPlayback& {

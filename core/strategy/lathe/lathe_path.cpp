@@ -115,8 +115,6 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     base_.stepover_max = route.feed_max * length;
     base_.chord_tolerance = chord;
     add_warnings(s, context);
-    const std::vector<std::string> uncut = reach_warnings(reach_, context.unit);
-    base_.warnings.insert(base_.warnings.end(), uncut.begin(), uncut.end());
     progress.set(1);
 }
 
@@ -161,6 +159,8 @@ void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
             "machine '" + printable(context.machine.name)
             + "' has no table that turns the part about this axis: choose one such as 'lathe-mill', or "
               "turn the part into its axis");
+    const std::vector<std::string> uncut = reach_warnings(reach_, context.unit);
+    warnings.insert(warnings.end(), uncut.begin(), uncut.end());
 }
 
 } // namespace facetmill
