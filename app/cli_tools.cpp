@@ -39,38 +39,27 @@ fs::path library_folder(const Arguments& arguments) {
 
 /// Every library of the folder, one after the other, by their names.
 ToolLibrary all_of(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code ec;
-    for (const auto& entry : fs::directory_iterator(folder, ec))
-        if (entry.path().extension() == ".fmtools") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    ToolLibrary all;
-    for (const fs::path& file : files) {
-        ToolLibrary one = load_library(file, LengthUnit::mm).library;
-        if (all.tools.empty() && all.holders.empty()) {
-            all.name = one.name;
-            all.unit = one.unit;
-        }
-        all.tools.insert(all.tools.end(), one.tools.begin(), one.tools.end());
-        all.holders.insert(all.holders.end(), one.holders.begin(), one.holders.end());
-    }
-    if (files.empty())
+    const std::vector<KeptLibrary> kept = kept_libraries(folder);
+    if (kept.empty())
         throw Error(ErrorCode::not_found, printable(folder.string(), 400), "has no tool library",
                     "import one first, or name a project by --project");
+    ToolLibrary all;
+    for (const KeptLibrary& one : kept) {
+        // What cannot be read is told by reading it once more.
+        const ToolLibrary library =
+            one.trouble.empty() ? one.library : load_library(one.file, LengthUnit::mm).library;
+        if (all.tools.empty() && all.holders.empty()) {
+            all.name = library.name;
+            all.unit = library.unit;
+        }
+        all.tools.insert(all.tools.end(), library.tools.begin(), library.tools.end());
+        all.holders.insert(all.holders.end(), library.holders.begin(), library.holders.end());
+    }
     return all;
 }
 
 ToolLibrary tools_of(const Project& project) {
-    ToolLibrary library;
-    library.name = printable(project.path.stem().string(), 200);
-    library.unit = project.unit;
-    for (const Tool& tool : project.tools) {
-        LibraryTool t;
-        t.tool = tool;
-        t.holder.outline = holder_outline(tool.holder);
-        library.tools.push_back(std::move(t));
-    }
-    return library;
+    return library_of(project.tools, project.unit, printable(project.path.stem().string(), 200));
 }
 
 /// Those whose numbers are asked for, or all.
@@ -92,16 +81,6 @@ void keep_asked(ToolLibrary& library, const Arguments& arguments) {
     }
     library.tools = std::move(kept);
     library.holders.clear();
-}
-
-/// A name in the folder that no other library has: nothing that is kept is written over.
-fs::path free_place(const fs::path& folder, const std::string& name) {
-    for (int k = 1;; ++k) {
-        const fs::path place =
-            folder / (name + (k > 1 ? " " + std::to_string(k) : std::string()) + ".fmtools");
-        std::error_code ec;
-        if (!fs::exists(place, ec)) return place;
-    }
 }
 
 void run_import(const Arguments& arguments, Session& session) {
@@ -127,15 +106,11 @@ void run_import(const Arguments& arguments, Session& session) {
     if (arguments.has("-o"))
         throw Error(ErrorCode::usage, "-o", "is for a project",
                     "give --project, or leave it out: libraries are kept in their folder");
-    const fs::path folder = library_folder(arguments);
-    std::error_code ec;
-    fs::create_directories(folder, ec);
-    const fs::path place = free_place(folder, fs::path(input).stem().string());
-    OutputFile file(place);
-    file.write(write_library(library, LibraryFormat::facetmill, place.filename().string()).files[0].bytes);
-    account["file"] = printable(place.string(), 400);
-    session.print(pretty_json(account));
-    file.commit();
+    keep_library(library, library_folder(arguments), fs::path(input).stem().string(),
+                 [&](const fs::path& place) {
+                     account["file"] = printable(place.string(), 400);
+                     session.print(pretty_json(account));
+                 });
 }
 
 void run_export(const Arguments& arguments, Session& session) {

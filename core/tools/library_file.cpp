@@ -210,6 +210,37 @@ WrittenLibrary write_library(const ToolLibrary& library, LibraryFormat format, c
     return written;
 }
 
+std::vector<KeptLibrary> kept_libraries(const fs::path& folder) {
+    std::vector<KeptLibrary> kept;
+    std::error_code ec;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        if (entry.path().extension() == ".fmtools") kept.push_back({entry.path(), {}, {}});
+    std::sort(kept.begin(), kept.end(),
+              [](const KeptLibrary& a, const KeptLibrary& b) { return a.file < b.file; });
+    for (KeptLibrary& one : kept) {
+        try {
+            one.library = load_library(one.file, LengthUnit::mm).library;
+        } catch (const Error& e) {
+            one.trouble = e.what();
+        }
+    }
+    return kept;
+}
+
+fs::path keep_library(const ToolLibrary& library, const fs::path& folder, const std::string& name,
+                      const std::function<void(const fs::path&)>& before) {
+    std::error_code ec;
+    fs::create_directories(folder, ec);
+    fs::path place;
+    for (int k = 1; place.empty() || fs::exists(fs::symlink_status(place, ec)); ++k)
+        place = folder / (name + (k > 1 ? " " + std::to_string(k) : std::string()) + ".fmtools");
+    OutputFile file(place);
+    file.write(write_library(library, LibraryFormat::facetmill, place.filename().string()).files[0].bytes);
+    if (before) before(place);
+    file.commit();
+    return place;
+}
+
 fs::path user_library_folder() {
     if (const char* data = std::getenv("XDG_DATA_HOME"); data && *data)
         return fs::path(data) / "facetmill" / "tools";

@@ -64,6 +64,21 @@ struct WrittenLibrary {
 /// tools, Error(limit_exceeded) for several tools in a format for one.
 WrittenLibrary write_library(const ToolLibrary& library, LibraryFormat format, const std::string& name);
 
+/// A library in a user's folder, or why it cannot be read.
+struct KeptLibrary {
+    std::filesystem::path file;
+    ToolLibrary library;
+    std::string trouble;
+};
+/// Those of a folder, by their names; none where there is no folder.
+std::vector<KeptLibrary> kept_libraries(const std::filesystem::path& folder);
+/// Writes a library into the folder, which is made where there is none, under the name or, where that is
+/// taken, with a number behind it. `before` runs when the file is complete and has not appeared. Throws
+/// Error(unwritable) and what `before` throws.
+std::filesystem::path keep_library(const ToolLibrary& library, const std::filesystem::path& folder,
+                                   const std::string& name,
+                                   const std::function<void(const std::filesystem::path&)>& before = {});
+
 /// Where a user's own libraries lie: $XDG_DATA_HOME/facetmill/tools, or ~/.local/share/facetmill/tools.
 std::filesystem::path user_library_folder();
 

@@ -57,6 +57,19 @@ void put_into_holder(LibraryTool& tool, ToolHolder holder) {
     tool.tool.holder = holder_steps(tool.holder.outline);
 }
 
+ToolLibrary library_of(const std::vector<Tool>& tools, LengthUnit unit, std::string name) {
+    ToolLibrary library;
+    library.name = std::move(name);
+    library.unit = unit;
+    for (const Tool& tool : tools) {
+        LibraryTool t;
+        t.tool = tool;
+        t.holder.outline = holder_outline(tool.holder);
+        library.tools.push_back(std::move(t));
+    }
+    return library;
+}
+
 Tool numbered_for(const LibraryTool& tool, const std::vector<Tool>& others) {
     Tool numbered = tool.tool;
     if (find_tool(others, numbered.number)) numbered.number = free_tool_number(others);

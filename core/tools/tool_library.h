@@ -56,6 +56,9 @@ std::vector<HolderCone> holder_outline(const std::vector<HolderSection>& section
 /// A tool with an outline for its holder; what it was held by before is forgotten.
 void put_into_holder(LibraryTool& tool, ToolHolder holder);
 
+/// The tools of a job, with all that it knows of them.
+ToolLibrary library_of(const std::vector<Tool>& tools, LengthUnit unit, std::string name);
+
 /// The tool for a list of others: with the number that it has, if that is free, or the next free one.
 Tool numbered_for(const LibraryTool& tool, const std::vector<Tool>& others);
 

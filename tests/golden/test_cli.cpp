@@ -273,24 +273,24 @@ private slots:
     void tools_go_from_hand_to_hand() {
         const Sandbox s;
         QFile::copy(QStringLiteral(FACETMILL_TEST_DATA "/golden/jobs/rough.facetmill"),
-                    s.path(QStringLiteral("p.facetmill")));
+                    s.path() + QStringLiteral("/p.facetmill"));
         const CliRun out = run_cli({"tools", "export", "shop.json", "--project", "p.facetmill"}, s.path());
         QVERIFY2(out.status == 0, out.err.constData());
         QCOMPARE(json(out.out)["remarks"].toArray().size(), 0);
         const CliRun in = run_cli({"tools", "import", "shop.json", "--library", "own"}, s.path());
         QVERIFY2(in.status == 0, in.err.constData());
-        QVERIFY(QFile::exists(s.path(QStringLiteral("own/shop.fmtools"))));
+        QVERIFY(QFile::exists(s.path() + QStringLiteral("/own/shop.fmtools")));
         // A second library of the name takes no place of the first.
         QCOMPARE(run_cli({"tools", "import", "shop.json", "--library", "own"}, s.path()).status, 0);
-        QVERIFY(QFile::exists(s.path(QStringLiteral("own/shop 2.fmtools"))));
-        QFile::remove(s.path(QStringLiteral("own/shop 2.fmtools")));
+        QVERIFY(QFile::exists(s.path() + QStringLiteral("/own/shop 2.fmtools")));
+        QFile::remove(s.path() + QStringLiteral("/own/shop 2.fmtools"));
         const auto tools = json(in.out)["tools"].toArray();
         QVERIFY(!tools.isEmpty());
         const CliRun put =
             run_cli({"tools", "import", "own/shop.fmtools", "--project", "p.facetmill", "-o", "q.facetmill"},
                     s.path());
         QVERIFY2(put.status == 0, put.err.constData());
-        QFile both(s.path(QStringLiteral("q.facetmill")));
+        QFile both(s.path() + QStringLiteral("/q.facetmill"));
         QVERIFY(both.open(QIODevice::ReadOnly));
         const auto listed = json(both.readAll())["tools"].toArray();
         QCOMPARE(listed.size(), 2 * tools.size());
@@ -308,7 +308,7 @@ private slots:
         const CliRun none = run_cli({"tools", "export", "x.json", "--library", "empty"}, s.path());
         QCOMPARE(none.status, 1);
         QVERIFY(none.err.contains("not_found"));
-        QVERIFY(!QFile::exists(s.path(QStringLiteral("x.json"))));
+        QVERIFY(!QFile::exists(s.path() + QStringLiteral("/x.json")));
         QCOMPARE(run_cli({"tools", "lend", "x.json"}, s.path()).status, 2);
     }
 
