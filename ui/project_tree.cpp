@@ -9,6 +9,7 @@
 #include "ui/project_items.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
+#include "ui/tool_library_dialog.h"
 #include "ui/verification_model.h"
 
 #include <QAction>
@@ -118,6 +119,7 @@ std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree) {
             {"add_setup", tree.add_setup_menu()->menuAction()},
             {"go_to_setup", tree.go_to_setup_action()},
             {"add_tool", tree.add_tool_action()},
+            {"tool_library", tree.tool_library_action()},
             {"edit", tree.edit_action()},
             {"duplicate", tree.duplicate_action()},
             {"remove", tree.remove_action()},
@@ -180,6 +182,7 @@ void ProjectTree::make_tree() {
 
 void ProjectTree::make_actions() {
     add_tool_ = new QAction(icon(Icon::tool), tr("Add tool…"), this);
+    tool_library_ = ToolLibraryDialog::make_action(document_, this);
     add_operation_ = new QMenu(tr("Add operation"), this);
     add_operation_->setIcon(icon(Icon::operation));
     for (const auto& kind : operation_kinds())
@@ -244,17 +247,15 @@ QToolBar* ProjectTree::make_bar() {
     auto* add_menu = new QMenu(add);
     add_menu->addActions(add_operation_->actions());
     add_menu->addSeparator();
-    add_menu->addAction(add_tool_);
+    add_menu->addActions({add_tool_, tool_library_});
     add_menu->addMenu(add_fixture_);
     add_menu->addMenu(add_boundary_);
     add_menu->addMenu(add_setup_);
     add->setMenu(add_menu);
     bar->addWidget(add);
-    bar->addAction(duplicate_);
-    bar->addAction(remove_);
+    bar->addActions({duplicate_, remove_});
     bar->addSeparator();
-    bar->addAction(up_);
-    bar->addAction(down_);
+    bar->addActions({up_, down_});
     bar->addSeparator();
     bar->addAction(edit_);
     return bar;
@@ -473,7 +474,7 @@ void ProjectTree::menu(const QPoint& at) {
         menu.addSeparator();
     }
     menu.addMenu(add_operation_);
-    menu.addAction(add_tool_);
+    menu.addActions({add_tool_, tool_library_});
     menu.addMenu(add_fixture_);
     menu.addMenu(add_boundary_);
     menu.addMenu(add_setup_);

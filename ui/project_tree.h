@@ -60,6 +60,7 @@ public:
     void set_verification(const VerificationModel& model);
 
     QAction* add_tool_action() { return add_tool_; }
+    QAction* tool_library_action() { return tool_library_; }
     QMenu* add_operation_menu() { return add_operation_; }
     QMenu* add_setup_menu() { return add_setup_; }
     QMenu* add_fixture_menu() { return add_fixture_; }
@@ -104,8 +105,8 @@ private:
     Document& document_;
     const VerificationModel* verification_ = nullptr;
     QTreeWidget* tree_ = nullptr;
-    QAction *add_tool_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr,
-            *down_ = nullptr;
+    QAction *add_tool_ = nullptr, *tool_library_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr,
+            *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
     QMenu *add_operation_ = nullptr, *add_setup_ = nullptr, *add_fixture_ = nullptr, *add_boundary_ = nullptr;
     QAction* go_to_setup_ = nullptr;
     bool rebuilding_ = false;

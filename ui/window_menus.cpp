@@ -55,8 +55,9 @@ std::vector<MenuTable> menus() {
               "quit"}},
             {"edit_menu",
              tr("&Edit"),
-             {"undo", "redo", "-", "place", "-", "add_operation", "add_tool", "add_fixture", "add_boundary",
-              "add_setup", "go_to_setup", "edit", "duplicate", "remove", "up", "down", "-", "unit_menu"}},
+             {"undo", "redo", "-", "place", "-", "add_operation", "add_tool", "tool_library", "add_fixture",
+              "add_boundary", "add_setup", "go_to_setup", "edit", "duplicate", "remove", "up", "down", "-",
+              "unit_menu"}},
             {"view_menu", tr("&View"),
              views()
                  + Entries{"-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",

@@ -5,6 +5,7 @@
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
 #include "ui/tool_dialog.h"
+#include "ui/tool_library_dialog.h"
 #include "ui/tool_sketch.h"
 #include "ui/viewport.h"
 
@@ -14,18 +15,21 @@
 #include <QDialogButtonBox>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include <cmath>
+#include <set>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -378,6 +382,79 @@ private slots:
         QVERIFY(dialog->problem().contains(QStringLiteral("another tool")));
         dialog->reject();
         QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+    }
+
+    /// From the menu, with nothing kept yet; then tools kept, imported, found, added and exported.
+    void tool_library() {
+        const QTemporaryDir data;
+        const QByteArray before = qgetenv("XDG_DATA_HOME");
+        qputenv("XDG_DATA_HOME", data.path().toUtf8());
+        QVERIFY(open_part());
+        w().tree().tool_library_action()->trigger();
+        if (before.isEmpty())
+            qunsetenv("XDG_DATA_HOME");
+        else
+            qputenv("XDG_DATA_HOME", before);
+        auto* dialog = w().findChild<ui::ToolLibraryDialog*>();
+        QVERIFY(dialog && activate(*dialog));
+        auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("tools"));
+        auto* add = dialog->findChild<QPushButton*>(QStringLiteral("add"));
+        auto* told = dialog->findChild<QLabel*>(QStringLiteral("told"));
+        auto* remarks = dialog->findChild<QPlainTextEdit*>(QStringLiteral("remarks"));
+        QCOMPARE(table->rowCount(), 0);
+        QVERIFY(!add->isEnabled() && !dialog->findChild<QPushButton*>(QStringLiteral("export"))->isEnabled());
+        shot(*dialog, QStringLiteral("dialog-library-empty"));
+
+        QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("keep")), Qt::LeftButton);
+        QCOMPARE(table->rowCount(), int(w().document().project().tools.size()));
+        const QString file = data.path() + QStringLiteral("/Shop of a neighbour.json");
+        QFile json(file);
+        QVERIFY(json.open(QIODevice::WriteOnly));
+        json.write(R"({"data": [
+            {"type": "ball end mill", "unit": "inches", "description": "1/4 ball", "BMC": "carbide",
+             "geometry": {"DC": 0.25, "LCF": 0.75, "LB": 1.5, "SFDM": 0.25, "NOF": 2}, "post-process": {"number": 1},
+             "start-values": {"presets": [{"name": "Wood", "n": 18000, "v_f": 90, "tool-coolant": "flood"}]}},
+            {"type": "flat end mill", "unit": "inches", "description": "1/2 flat, the long one that nobody likes to use",
+             "BMC": "hss", "geometry": {"DC": 0.5, "LCF": 2, "LB": 4, "SFDM": 0.5, "NOF": 4},
+             "post-process": {"number": 2}},
+            {"type": "thread mill", "description": "1/4-20", "geometry": {"DC": 0.2}}]})");
+        json.close();
+        dialog->import_file(file);
+        QCOMPARE(table->rowCount(), int(w().document().project().tools.size()) + 2);
+        QVERIFY(remarks->isVisible() && remarks->toPlainText().contains(QStringLiteral("thread mill"))
+                && remarks->toPlainText().contains(QStringLiteral("tool-coolant")));
+        shot(*dialog, QStringLiteral("dialog-library"));
+
+        auto* filter = dialog->findChild<QLineEdit*>(QStringLiteral("filter"));
+        type_over(filter, QStringLiteral("hss"));
+        QCOMPARE(table->rowCount(), 1);
+        type_over(filter, QStringLiteral("nothing of the kind"));
+        QCOMPARE(table->rowCount(), 0);
+        QVERIFY(dialog->findChild<QLabel*>(QStringLiteral("empty"))->isVisible());
+        type_over(filter, QStringLiteral("neighbour"));
+        QCOMPARE(table->rowCount(), 2);
+        table->selectAll();
+        QVERIFY(add->isEnabled());
+        QTest::mouseClick(add, Qt::LeftButton);
+        const auto& tools = w().document().project().tools;
+        QCOMPARE(tools.size(), std::size_t(3));
+        std::set<long> numbers;
+        for (const Tool& tool : tools)
+            numbers.insert(tool.number);
+        QCOMPARE(numbers.size(), tools.size());
+        QVERIFY(std::any_of(tools.begin(), tools.end(), [](const Tool& t) { return t.name == "1/4 ball"; }));
+        w().document().undo_stack().undo();
+        QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+
+        const QString out = data.path() + QStringLiteral("/out.tbl");
+        dialog->export_to(out);
+        QVERIFY2(QFile::exists(out), qPrintable(told->text() + remarks->toPlainText()));
+        QVERIFY(remarks->toPlainText().contains(QStringLiteral("not carried")));
+        dialog->import_file(data.path() + QStringLiteral("/missing.json"));
+        QVERIFY(told->text().contains(QStringLiteral("Nothing")));
+        dialog->resize(520, 300);
+        shot(*dialog, QStringLiteral("dialog-library-small"));
+        dialog->reject();
     }
 };
 FACETMILL_TEST(TestWindow)

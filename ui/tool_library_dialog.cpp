@@ -1,0 +1,282 @@
+#include "ui/tool_library_dialog.h"
+
+#include "core/base/file.h"
+#include "ui/icons.h"
+#include "ui/text.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+enum Column { number, name, shape, diameter, flutes, material, library, columns };
+
+/// The row's tool; rows are sorted and filtered, the list is not.
+constexpr int entry_role = Qt::UserRole + 1;
+
+/// A cell that is sorted by its number.
+class NumberItem : public QTableWidgetItem {
+public:
+    NumberItem(const QString& shown, double value) : QTableWidgetItem(shown), value_(value) {
+        setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    bool operator<(const QTableWidgetItem& other) const override {
+        const auto* number_item = dynamic_cast<const NumberItem*>(&other);
+        return number_item ? value_ < number_item->value_ : QTableWidgetItem::operator<(other);
+    }
+
+private:
+    double value_;
+};
+
+QString counted(std::size_t tools) {
+    return tools == 1 ? ToolLibraryDialog::tr("1 tool") : ToolLibraryDialog::tr("%1 tools").arg(tools);
+}
+
+} // namespace
+
+QAction* ToolLibraryDialog::make_action(Document& document, QWidget* parent) {
+    auto* action = new QAction(icon(Icon::tool), tr("Tool library…"), parent);
+    connect(action, &QAction::triggered, parent, [&document, parent] {
+        auto* dialog = new ToolLibraryDialog(document, user_library_folder(), parent->window());
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    return action;
+}
+
+ToolLibraryDialog::ToolLibraryDialog(Document& document, std::filesystem::path folder, QWidget* parent)
+    : QDialog(parent), document_(document), folder_(std::move(folder)) {
+    setObjectName(QStringLiteral("tool_library"));
+    setWindowTitle(tr("Tool library"));
+    filter_ = new QLineEdit(this);
+    filter_->setObjectName(QStringLiteral("filter"));
+    filter_->setPlaceholderText(tr("Find by name, shape, material or library"));
+    filter_->setClearButtonEnabled(true);
+    connect(filter_, &QLineEdit::textChanged, this, &ToolLibraryDialog::show_tools);
+
+    table_ = new QTableWidget(0, columns, this);
+    table_->setObjectName(QStringLiteral("tools"));
+    table_->setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Shape"),
+                                       tr("Diameter (%1)").arg(text(unit_name(document_.unit()))),
+                                       tr("Flutes"), tr("Material"), tr("Library")});
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->verticalHeader()->setVisible(false);
+    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+    table_->setWordWrap(false);
+    table_->horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(library, Qt::AscendingOrder);
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &ToolLibraryDialog::update_buttons);
+    connect(table_, &QTableWidget::cellDoubleClicked, this, &ToolLibraryDialog::add_chosen);
+    empty_ = new QLabel(table_);
+    empty_->setObjectName(QStringLiteral("empty"));
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    auto* over = new QVBoxLayout(table_);
+    over->addWidget(empty_);
+
+    title_ = new QLabel(this);
+    title_->setObjectName(QStringLiteral("told"));
+    title_->setWordWrap(true);
+    title_->setVisible(false);
+    remarks_ = new QPlainTextEdit(this);
+    remarks_->setObjectName(QStringLiteral("remarks"));
+    remarks_->setReadOnly(true);
+    remarks_->setMaximumHeight(110);
+    remarks_->setVisible(false);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    add_ = buttons->addButton(tr("&Add to project"), QDialogButtonBox::ActionRole);
+    add_->setObjectName(QStringLiteral("add"));
+    add_->setDefault(true);
+    auto* import = buttons->addButton(tr("&Import…"), QDialogButtonBox::ActionRole);
+    import->setToolTip(tr("Take over tools of FreeCAD, Fusion, LinuxCNC, CAMotics or Kiri:Moto"));
+    keep_ = buttons->addButton(tr("&Keep project’s tools"), QDialogButtonBox::ActionRole);
+    keep_->setObjectName(QStringLiteral("keep"));
+    keep_->setToolTip(tr("Put the tools of the project into a library of its name"));
+    export_ = buttons->addButton(tr("&Export…"), QDialogButtonBox::ActionRole);
+    export_->setObjectName(QStringLiteral("export"));
+    export_->setToolTip(tr("Write the chosen tools, or all that are shown, for another program"));
+    for (QPushButton* b : {import, keep_, export_})
+        b->setAutoDefault(false);
+    connect(add_, &QPushButton::clicked, this, &ToolLibraryDialog::add_chosen);
+    connect(import, &QPushButton::clicked, this, &ToolLibraryDialog::ask_for_file);
+    connect(keep_, &QPushButton::clicked, this, &ToolLibraryDialog::keep_project_tools);
+    connect(export_, &QPushButton::clicked, this, &ToolLibraryDialog::ask_where);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(filter_);
+    column->addWidget(table_, 1);
+    column->addWidget(title_);
+    column->addWidget(remarks_);
+    column->addWidget(buttons);
+    resize(760, 480);
+    read_folder();
+}
+
+void ToolLibraryDialog::read_folder() {
+    entries_.clear();
+    std::vector<std::string> trouble;
+    for (const KeptLibrary& kept : kept_libraries(folder_)) {
+        if (!kept.trouble.empty()) trouble.push_back(kept.trouble);
+        for (const LibraryTool& tool : kept.library.tools)
+            entries_.push_back({tool, path_text(kept.file.stem())});
+    }
+    if (!trouble.empty()) tell(tr("Some libraries cannot be read"), trouble);
+    show_tools();
+}
+
+void ToolLibraryDialog::show_tools() {
+    const QString wanted = filter_->text().trimmed();
+    const double per = mm_per(document_.unit());
+    table_->setSortingEnabled(false); // rows would move while they are filled
+    table_->setRowCount(0);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const LibraryTool& t = entries_[i].tool;
+        const QString named = text(t.tool.name), shaped = text(t.tool.shape_name()), made = text(t.material);
+        if (!(named + QChar(' ') + shaped + QChar(' ') + made + QChar(' ') + entries_[i].library)
+                 .contains(wanted, Qt::CaseInsensitive))
+            continue;
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        const QString size = text(format_number(t.tool.diameter / per, 5));
+        table_->setItem(row, number, new NumberItem(QString::number(t.tool.number), double(t.tool.number)));
+        table_->setItem(row, name, new QTableWidgetItem(named));
+        table_->setItem(row, shape, new QTableWidgetItem(shaped));
+        table_->setItem(row, diameter, new NumberItem(size, t.tool.diameter));
+        table_->setItem(
+            row, flutes,
+            new NumberItem(t.flutes > 0 ? QString::number(t.flutes) : QString(), double(t.flutes)));
+        table_->setItem(row, material, new QTableWidgetItem(made));
+        table_->setItem(row, library, new QTableWidgetItem(entries_[i].library));
+        table_->item(row, number)->setData(entry_role, qulonglong(i));
+        table_->item(row, name)->setToolTip(named);
+    }
+    table_->setSortingEnabled(true);
+    table_->resizeColumnsToContents();
+    table_->horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
+    empty_->setVisible(table_->rowCount() == 0);
+    empty_->setText(entries_.empty()
+                        ? tr("No tool is kept yet. Import a library of another program, or keep the "
+                             "tools of this project.")
+                        : tr("No tool has “%1”.").arg(wanted));
+    update_buttons();
+}
+
+void ToolLibraryDialog::tell(const QString& title, const std::vector<std::string>& lines) {
+    QStringList all;
+    for (const std::string& line : lines)
+        all << text(line);
+    title_->setText(title);
+    title_->setVisible(true);
+    remarks_->setPlainText(all.join(QChar('\n')));
+    remarks_->setVisible(!all.isEmpty());
+}
+
+std::vector<LibraryTool> ToolLibraryDialog::shown(bool only_chosen) const {
+    std::vector<LibraryTool> tools;
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const QTableWidgetItem* item = table_->item(row, number);
+        if (!only_chosen || item->isSelected())
+            tools.push_back(entries_[std::size_t(item->data(entry_role).toULongLong())].tool);
+    }
+    return tools;
+}
+
+void ToolLibraryDialog::update_buttons() {
+    add_->setEnabled(document_.has_part() && !table_->selectedItems().isEmpty());
+    keep_->setEnabled(document_.has_part() && !document_.project().tools.empty());
+    export_->setEnabled(table_->rowCount() > 0);
+}
+
+void ToolLibraryDialog::import_file(const QString& path) {
+    try {
+        const ReadLibrary read = load_library(path_of(path), document_.unit());
+        const auto place = keep_library(read.library, folder_, path_of(path).stem().string());
+        read_folder();
+        tell(tr("%1 kept as “%2”").arg(counted(read.library.tools.size()), path_text(place.stem()))
+                 + (read.remarks.empty() ? QString() : tr("; not carried:")),
+             read.remarks);
+    } catch (const Error& e) {
+        tell(tr("Nothing was taken over"), {e.what()});
+    }
+}
+
+void ToolLibraryDialog::export_to(const QString& path) {
+    try {
+        ToolLibrary out;
+        out.unit = document_.has_part() ? document_.unit() : LengthUnit::mm;
+        out.name = utf8(QFileInfo(path).completeBaseName());
+        out.tools = shown(true);
+        if (out.tools.empty()) out.tools = shown(false);
+        const auto file = path_of(path);
+        const WrittenLibrary written = write_library(out, format_of(file), file.filename().string());
+        OutputSet set;
+        for (const WrittenLibrary::File& f : written.files)
+            set.add(file.parent_path() / f.name).write(f.bytes);
+        set.commit();
+        tell(tr("Written to %1").arg(elided(path, 60))
+                 + (written.remarks.empty() ? QString() : tr("; not carried:")),
+             written.remarks);
+    } catch (const Error& e) {
+        tell(tr("Nothing was written"), {e.what()});
+    }
+}
+
+void ToolLibraryDialog::add_chosen() {
+    const std::vector<LibraryTool> tools = shown(true);
+    if (tools.empty() || !document_.has_part()) return;
+    document_.change(tr("Add tools of the library"), [&](Project& project) {
+        for (const LibraryTool& tool : tools)
+            project.tools.push_back(numbered_for(tool, project.tools));
+    });
+    tell(tr("%1 added to the project").arg(counted(tools.size())), {});
+    update_buttons();
+}
+
+void ToolLibraryDialog::keep_project_tools() {
+    if (!document_.has_part()) return;
+    const Project& project = document_.project();
+    const std::string named = project.path.empty() ? utf8(tr("Project")) : project.path.stem().string();
+    try {
+        const auto place = keep_library(library_of(project.tools, project.unit, named), folder_, named);
+        read_folder();
+        tell(tr("%1 kept as “%2”").arg(counted(project.tools.size()), path_text(place.stem())), {});
+    } catch (const Error& e) {
+        tell(tr("Nothing was kept"), {e.what()});
+    }
+}
+
+void ToolLibraryDialog::ask_for_file() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Import tools"), {},
+        tr("Tool libraries (*.fmtools *.json *.tools *.fctb *.fctl *.fcholder *.tbl);;All files (*)"));
+    if (!path.isEmpty()) import_file(path);
+}
+
+void ToolLibraryDialog::ask_where() {
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export tools"), {},
+                                     tr("Facetmill (*.fmtools);;Fusion (*.json);;Fusion, packed "
+                                        "(*.tools);;FreeCAD (*.fctl);;LinuxCNC (*.tbl)"));
+    if (!path.isEmpty()) export_to(path);
+}
+
+} // namespace facetmill::ui
