@@ -3,6 +3,7 @@
 #include "tests/support/test_runner.h"
 #include "ui/stock_player.h"
 
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -86,9 +87,8 @@ private slots:
                 StockPlayer player;
                 player.load([&](const Progress& progress) {
                     ++at_work;
-                    auto made = playback(1, progress);
-                    --at_work;
-                    return made;
+                    const auto done = qScopeGuard([&] { --at_work; }); // also where it is cancelled meanwhile
+                    return playback(1, progress);
                 });
                 player.show(motions);
                 QTest::qWait(k % 5);
