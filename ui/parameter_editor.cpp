@@ -16,6 +16,8 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace facetmill::ui {
 
 namespace {
@@ -312,21 +314,23 @@ private:
     bool touched_ = false;
 };
 
-/// Takes a unit off the end of a length or feed; `unit` becomes the one that was found.
-QString without_unit(const ParameterInfo& info, const QString& entered, LengthUnit& unit) {
-    const bool one_number = info.kind == ParameterKind::number || info.kind == ParameterKind::number_or_word;
-    if (!one_number || info.quantity == Quantity::none) return entered;
-    QString t = entered.trimmed();
-    for (const LengthUnit u : {LengthUnit::mm, LengthUnit::inch}) {
-        const QString suffix = text(edge_unit_name(info.quantity, u));
-        if (suffix.isEmpty() || !t.endsWith(suffix, Qt::CaseInsensitive)) continue;
-        const QString rest = t.chopped(suffix.size()).trimmed();
+/// Neither a number nor anything that comes to one.
+bool is_word(const QString& entered) {
+    return std::none_of(entered.begin(), entered.end(),
+                        [](QChar c) { return c.isDigit() || QStringLiteral("=.+-*/()").contains(c); });
+}
+
+/// What was entered with every number in it worked out, in the field's unit.
+QString worked_out(const ParameterInfo& info, const QString& entered, LengthUnit unit,
+                   const NamedLengths& names) {
+    QStringList parts = entered.split(QChar(','));
+    for (QString& part : parts) {
         double ignored = 0;
-        if (!parse_number(utf8(rest), ignored)) continue;
-        unit = u;
-        return rest;
+        if (is_word(part) || parse_number(utf8(part.trimmed()), ignored)) continue;
+        const double value = evaluate(utf8(part), info.quantity, unit, names, info.key);
+        part = text(format_number(value / info.scale(unit), 17));
     }
-    return entered;
+    return parts.join(QChar(','));
 }
 
 } // namespace
@@ -364,16 +368,16 @@ ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vec
     return new LineEditor(info, 1, parent);
 }
 
-ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit) {
+ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit,
+                            const NamedLengths& names) {
     const bool numbers = info.kind == ParameterKind::number || info.kind == ParameterKind::integer
                          || info.kind == ParameterKind::pair || info.kind == ParameterKind::triple;
     if (numbers && entered.trimmed().isEmpty())
         throw Error(ErrorCode::wrong_type, info.key, "nothing is entered", "enter a number");
     if (info.kind == ParameterKind::number && entered.contains(QChar(',')))
         throw Error(ErrorCode::wrong_type, info.key, "a comma is not a decimal mark", "use a point: 0.5");
-    LengthUnit entered_unit = unit;
-    const QString bare = without_unit(info, entered, entered_unit);
-    return info.parse(utf8(bare), entered_unit);
+    const bool worked = numbers || info.kind == ParameterKind::number_or_word;
+    return info.parse(utf8(worked ? worked_out(info, entered, unit, names) : entered), unit);
 }
 
 } // namespace facetmill::ui

@@ -3,6 +3,7 @@
 // files and the command line share one grammar.
 #pragma once
 
+#include "core/base/expression.h"
 #include "core/base/parameter.h"
 
 #include <QWidget>
@@ -41,9 +42,10 @@ signals:
 ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vector<FormChoice>& choices,
                                        QWidget* parent);
 
-/// Reads what the user entered. A length or feed may carry the other unit ("12 mm" where the project is in
-/// inches). Throws Error as ParameterInfo::parse, with a remedy that speaks to somebody at a form.
-ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit);
+/// Reads what the user entered: numbers may be worked out, and carry units and names (expression.h). Throws
+/// Error as ParameterInfo::parse and `evaluate`, with a remedy that speaks to somebody at a form.
+ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit,
+                            const NamedLengths& names);
 
 /// The value with at most seven digits, for a form: what the user does not touch keeps all its digits.
 QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit);

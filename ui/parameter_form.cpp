@@ -229,7 +229,7 @@ void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
 
 bool ParameterForm::check(Row& row, ParameterValue& value) {
     try {
-        value = read_entered(*row.info, row.editor->entered(), unit_);
+        value = read_entered(*row.info, row.editor->entered(), unit_, names_);
         show_error(row, {}, false);
         return true;
     } catch (const Error& e) {

@@ -33,6 +33,9 @@ public:
     /// value beneath it is unchanged.
     void set_values(const Parameterized& values, LengthUnit unit);
 
+    /// Lengths that fields know by name.
+    void set_names(NamedLengths names) { names_ = std::move(names); }
+
     /// Points: these rows, once they are built anew, have a button by which the point is picked in the view.
     void set_pickable(std::vector<std::string> keys) { pickable_ = std::move(keys); }
     /// The row whose point is being picked, or none ("").
@@ -93,6 +96,7 @@ private:
     QVBoxLayout* layout_ = nullptr;
     QWidget* body_ = nullptr;
     QLabel* help_ = nullptr;
+    NamedLengths names_;
     LengthUnit unit_ = LengthUnit::mm;
     bool advanced_open_ = false, live_ = false;
 };

@@ -166,6 +166,30 @@ std::vector<FormChoice> stock_kinds(const Project& project) {
     return kinds;
 }
 
+/// What fields know by name: sizes of part and stock, and of the operation's tool.
+NamedLengths field_names(const Document& document, const TreeNode& node) {
+    NamedLengths names;
+    const Project& project = document.project();
+    const auto add_box = [&](const std::string& of, const Box3& box) {
+        const Vec3 size = box.size();
+        for (const auto& [axis, length] : {std::pair("x", size.x()), {"y", size.y()}, {"z", size.z()}})
+            names.push_back({of + "." + axis, length});
+        names.push_back({of + ".top", box.hi.z()});
+        names.push_back({of + ".bottom", box.lo.z()});
+    };
+    if (const auto& part = document.part()) {
+        add_box("part", part->box);
+        add_box("stock", stock_box(project.stock, part->box));
+    }
+    if (node.kind != TreeNode::Kind::operation || node.index >= project.operations.size()) return names;
+    if (const Tool* tool = find_tool(project.tools, project.operations[node.index]->common().tool)) {
+        names.push_back({"tool.diameter", tool->diameter});
+        names.push_back({"tool.corner", tool->corner_radius});
+        names.push_back({"tool.flutes", tool->flute_length});
+    }
+    return names;
+}
+
 JoinedView<StockSpec, StockSize> stock_view(StockSpec& stock, StockSize& size) {
     return {{stock, stock_parameters()}, {size, stock_size()}, "margin"};
 }
@@ -411,13 +435,13 @@ void PropertiesPanel::refresh() {
     const QString now = shape();
     const bool build = std::exchange(shape_, now) != now;
     QString title, hint;
-    bool alarm = false; // what the hint says is wrong
-    bool form = false, tool = false, mesh = false, regions = false;
+    bool form = false, tool = false, mesh = false, regions = false, alarm = false; // the last: of the hint
     const auto show = [&](const Parameterized& values,
                           const std::map<std::string, std::vector<FormChoice>>& choices = {},
                           const std::vector<std::string>& hidden = {}) {
         form = true;
         if (build) form_->set_parameters(values.parameters(), unit, choices, hidden);
+        form_->set_names(field_names(document_, *node_));
         form_->set_values(values, unit);
     };
     if (!document_.has_part()) {

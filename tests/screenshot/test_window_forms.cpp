@@ -261,6 +261,37 @@ private slots:
                  qPrintable(b.error("length")->text()));
     }
 
+    /// Whatever can be worked out is, when the entry is finished and not while it is typed.
+    void numbers_are_worked_out() {
+        Bench b;
+        b.form.set_names({{"stock.x", 40}});
+        b.enter("length", QStringLiteral("25.4/2"));
+        QCOMPARE(b.values.length, 12.7);
+        QCOMPARE(b.line("length")->text(), QStringLiteral("12.7"));
+        b.enter("length", QStringLiteral("1/4 in"));
+        QCOMPARE(b.values.length, 6.35);
+        b.enter("length", QStringLiteral("= stock.x / 2 - 1"));
+        QCOMPARE(b.values.length, 19.0);
+        b.enter("tilt", QStringLiteral("90/4"));
+        QCOMPARE(b.values.tilt, radians(22.5));
+        b.enter("step", QStringLiteral("1/2"));
+        QCOMPARE(b.line("step")->text(), QStringLiteral("0.5"));
+        b.enter("step", QStringLiteral("adaptive"));
+        QCOMPARE(b.line("step")->text(), QStringLiteral("adaptive"));
+        b.enter("count", QStringLiteral("2*3"));
+        QCOMPARE(b.line("count")->text(), QStringLiteral("6"));
+        for (const char* wrong : {"25.4/", "stok.x", "3 4", "1/0"}) {
+            b.enter("length", QString::fromLatin1(wrong));
+            QVERIFY2(!b.form.valid() && !b.error("length")->text().isEmpty(), wrong);
+        }
+        shot(b.form, QStringLiteral("form-expression"));
+        b.form.set_live(true);
+        type_over(b.line("length"), QStringLiteral("8/2"));
+        QCOMPARE(b.line("length")->text(), QStringLiteral("8/2"));
+        QTest::keyClick(b.line("length"), Qt::Key_Return);
+        QCOMPARE(b.values.length, 4.0);
+    }
+
     void reset_and_advanced() {
         Bench b;
         auto* reset = b.form.findChild<QToolButton*>(QStringLiteral("reset_length"));
