@@ -13,6 +13,9 @@
 #include <QPainter>
 #include <QStandardItemModel>
 
+#include <algorithm>
+#include <utility>
+
 namespace facetmill::ui {
 
 namespace {
@@ -103,6 +106,7 @@ LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
         box->setChecked(e.shown);
         box->setFocusPolicy(Qt::TabFocus);
         connect(box, &QCheckBox::toggled, this, &LayerBar::toggled);
+        connect(box, &QCheckBox::clicked, this, [this, layer = e.layer] { std::erase(aside_, layer); });
         flow->addWidget(box);
         if (e.layer == ViewLayer::others) box->hide(); // until there are any
         boxes_.push_back(box);
@@ -159,14 +163,29 @@ void LayerBar::set_shown(ViewLayer layer, bool on) {
     box(layer)->setChecked(on);
 }
 
+void LayerBar::put_paths_aside() {
+    for (const ViewLayer layer : {ViewLayer::cc, ViewLayer::cuts, ViewLayer::links, ViewLayer::rapids})
+        if (shown(layer)) {
+            aside_.push_back(layer);
+            set_shown(layer, false);
+        }
+}
+
+void LayerBar::bring_paths_back() {
+    for (const ViewLayer layer : std::exchange(aside_, {}))
+        set_shown(layer, true);
+}
+
 QStringList LayerBar::shown_names() const {
     QStringList names;
     for (const Entry& e : entries)
-        if (shown(e.layer)) names << QLatin1String(e.name);
+        if (shown(e.layer) || std::find(aside_.begin(), aside_.end(), e.layer) != aside_.end())
+            names << QLatin1String(e.name);
     return names;
 }
 
 void LayerBar::set_shown_names(const QStringList& names) {
+    aside_.clear();
     for (const Entry& e : entries)
         set_shown(e.layer, names.contains(QLatin1String(e.name)));
 }

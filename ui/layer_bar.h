@@ -30,6 +30,10 @@ public:
     bool shown(ViewLayer layer) const;
     void set_shown(ViewLayer layer, bool on);
     QCheckBox* box(ViewLayer layer) const;
+    /// Switches paths and contacts off until `bring_paths_back`: they would cover what is looked at. What the
+    /// user switches meanwhile stays as it is switched; settings have what is put aside as shown.
+    void put_paths_aside();
+    void bring_paths_back();
     /// The shown layers by name, for settings; names that are not known are passed over.
     QStringList shown_names() const;
     void set_shown_names(const QStringList& names);
@@ -49,6 +53,7 @@ signals:
 
 private:
     std::vector<QCheckBox*> boxes_;
+    std::vector<ViewLayer> aside_;
     QComboBox* quantity_ = nullptr;
     ScaleStrip* scale_ = nullptr;
 };

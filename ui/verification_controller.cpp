@@ -115,6 +115,7 @@ void VerificationController::take(const std::vector<std::shared_ptr<const Verifi
     for (const auto& outcome : outcomes)
         model_.take(outcome);
     layers_.set_shown(ViewLayer::deviation, true);
+    layers_.put_paths_aside(); // the colours would lie under a knot of lines
     if (!playback_.playing()) {
         layers_.set_shown(ViewLayer::stock, false); // it would hide the colours
         stock_offered_ = false;
@@ -233,8 +234,14 @@ void VerificationController::use_scale(const DeviationScale& scale) {
     viewport_.refresh();
 }
 
+void VerificationController::plan_changed() {
+    layers_.bring_paths_back();
+    follow_plan();
+}
+
 void VerificationController::layers_toggled() {
     playback_.set_follow(engaged_ && layers_.shown(ViewLayer::stock));
+    if (!layers_.shown(ViewLayer::deviation)) layers_.bring_paths_back();
 }
 
 void VerificationController::show_playback() {

@@ -45,7 +45,7 @@ public:
 
     void project_changed() override { follow_plan(); }
     void part_changed() override { follow_plan(); }
-    void plan_changed() override { follow_plan(); }
+    void plan_changed() override;
     /// Plays back to the end of an operation whose stock is chosen.
     void node_chosen(const std::optional<TreeNode>& node) override;
     /// While the user plays back, the playback goes there.

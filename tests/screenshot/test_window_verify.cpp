@@ -115,13 +115,24 @@ private slots:
         QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
         QVERIFY(controller().panel()->histogram()->histogram()->total > 0);
         QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
-        // The part has its colours in the view, and loses them with the layer.
+        // The part has its colours in the view, and loses them with the layer. The path steps aside for them,
+        // and is kept among what is shown.
+        QVERIFY(!w().layers().shown(ViewLayer::cuts) && !w().layers().shown(ViewLayer::rapids));
+        QVERIFY(w().layers().shown_names().contains(QStringLiteral("cuts")));
         const QImage colored = view_picture(w());
+        shot(w(), QStringLiteral("verified"));
         w().layers().set_shown(ViewLayer::deviation, false);
+        QVERIFY(w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::rapids));
         QVERIFY(changed_pixels(colored, view_picture(w())) > 5000);
         w().layers().set_shown(ViewLayer::deviation, true);
         QVERIFY(wait_until_settled(w()));
-        shot(w(), QStringLiteral("verified"));
+        // What the user switches is the user's.
+        w().layers().put_paths_aside();
+        w().layers().box(ViewLayer::cuts)->click();
+        w().layers().box(ViewLayer::cuts)->click();
+        w().layers().bring_paths_back();
+        QVERIFY(!w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::rapids));
+        w().layers().set_shown(ViewLayer::cuts, true);
         w().set_theme(Theme::dark);
         shot(w(), QStringLiteral("verified-dark"));
         w().set_theme(Theme::light);
