@@ -1,5 +1,6 @@
 #include "ui/tool_dialog.h"
 
+#include "core/tools/library_file.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
 #include "ui/text.h"
@@ -11,6 +12,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableWidget>
@@ -162,14 +164,45 @@ QLayout* ToolDialog::make_holder() {
         show_holder();
         validate();
     });
+    auto* library = new QToolButton(this);
+    library->setObjectName(QStringLiteral("library_holder"));
+    library->setIcon(icon(Icon::tool));
+    library->setToolTip(tr("Take a holder of the tool library"));
+    library->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(library);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { list_holders(*menu); });
+    library->setMenu(menu);
     auto* holder_buttons = new QVBoxLayout;
     holder_buttons->addWidget(add);
     holder_buttons->addWidget(remove);
+    holder_buttons->addWidget(library);
     holder_buttons->addStretch(1);
     auto* holder_row = new QHBoxLayout;
     holder_row->addWidget(holder_, 1);
     holder_row->addLayout(holder_buttons);
     return holder_row;
+}
+
+void ToolDialog::list_holders(QMenu& menu) {
+    menu.clear();
+    std::vector<ToolHolder> holders;
+    for (const KeptLibrary& kept : kept_libraries(user_library_folder())) {
+        holders.insert(holders.end(), kept.library.holders.begin(), kept.library.holders.end());
+        for (const LibraryTool& t : kept.library.tools)
+            if (!t.holder.outline.empty()) holders.push_back(t.holder);
+    }
+    std::vector<ToolHolder> listed;
+    for (const ToolHolder& holder : holders) {
+        if (std::find(listed.begin(), listed.end(), holder) != listed.end()) continue;
+        listed.push_back(holder);
+        const QString named = holder.name.empty() ? tr("Holder %1").arg(listed.size()) : text(holder.name);
+        menu.addAction(elided(named, 48), this, [this, outline = holder.outline] {
+            edit_.set_holder(holder_steps(outline));
+            show_holder();
+            validate();
+        });
+    }
+    if (listed.empty()) menu.addAction(tr("The library has no holders"))->setEnabled(false);
 }
 
 void ToolDialog::set_value(const std::string& key, const ParameterValue& value) {

@@ -11,6 +11,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QLabel;
 class QLayout;
+class QMenu;
 class QTableWidget;
 
 namespace facetmill::ui {
@@ -40,6 +41,8 @@ signals:
 private:
     /// The table of its sections, with buttons.
     QLayout* make_holder();
+    /// Every holder of the user's libraries once.
+    void list_holders(QMenu& menu);
     void set_value(const std::string& key, const ParameterValue& value);
     void show_values();
     void read_holder();

@@ -211,7 +211,11 @@ void ToolLibraryDialog::import_file(const QString& path) {
         const ReadLibrary read = load_library(path_of(path), document_.unit());
         const auto place = keep_library(read.library, folder_, path_of(path).stem().string());
         read_folder();
-        tell(tr("%1 kept as “%2”").arg(counted(read.library.tools.size()), path_text(place.stem()))
+        const QString holders =
+            read.library.holders.empty()
+                ? QString()
+                : tr(", holders for the dialog of a tool: %1").arg(read.library.holders.size());
+        tell(tr("%1 kept as “%2”").arg(counted(read.library.tools.size()), path_text(place.stem())) + holders
                  + (read.remarks.empty() ? QString() : tr("; not carried:")),
              read.remarks);
     } catch (const Error& e) {

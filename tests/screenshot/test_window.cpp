@@ -21,6 +21,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -389,12 +390,10 @@ private slots:
         const QTemporaryDir data;
         const QByteArray before = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", data.path().toUtf8());
+        const auto as_before = qScopeGuard(
+            [&before] { before.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", before); });
         QVERIFY(open_part());
         w().tree().tool_library_action()->trigger();
-        if (before.isEmpty())
-            qunsetenv("XDG_DATA_HOME");
-        else
-            qputenv("XDG_DATA_HOME", before);
         auto* dialog = w().findChild<ui::ToolLibraryDialog*>();
         QVERIFY(dialog && activate(*dialog));
         auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("tools"));
@@ -454,7 +453,26 @@ private slots:
         QVERIFY(told->text().contains(QStringLiteral("Nothing")));
         dialog->resize(520, 300);
         shot(*dialog, QStringLiteral("dialog-library-small"));
+        // A holder alone is for the tools of the project.
+        QFile holder(data.path() + QStringLiteral("/BT30.fcholder"));
+        QVERIFY(holder.open(QIODevice::WriteOnly));
+        holder.write(R"({"name": "BT30", "units": "mm", "profile": [[15, 0], [22, 12], [22, 32]]})");
+        holder.close();
+        dialog->import_file(holder.fileName());
+        QVERIFY2(told->text().contains(QStringLiteral("holders")), qPrintable(told->text()));
         dialog->reject();
+        w().tree().select({TreeNode::Kind::tool, 0});
+        w().tree().edit_action()->trigger();
+        auto* edited = w().findChild<ui::ToolDialog*>();
+        QVERIFY(edited);
+        auto* menu = edited->findChild<QToolButton*>(QStringLiteral("library_holder"))->menu();
+        emit menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 1);
+        QCOMPARE(menu->actions().front()->text(), QStringLiteral("BT30"));
+        menu->actions().front()->trigger();
+        QCOMPARE(edited->tool().holder.size(), std::size_t(7)); // a millimetre a step
+        QCOMPARE(edited->tool().holder.back().diameter, 44.0);
+        edited->reject();
     }
 };
 FACETMILL_TEST(TestWindow)
