@@ -118,44 +118,26 @@ private slots:
     }
 
     /// A ball that is lower than its slot is deep, on a slim shank: what stands beside the shank is in its
-    /// way up.
-    void no_rapid_up_cuts_what_stands_beside_the_shank() {
-        Tool tool = ball_tool(6);
-        tool.flute_length = 4;
-        tool.shank_diameter = 4;
-        tool.shank_length = 30;
-        PlanContext context = context_of(level(), tool);
-        context.stock.box = context.part_box;
-        context.stock.box.hi.z() = 7;
-        context.stock_box = context.stock.box;
-        StrategyResult path;
-        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)})};
-        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
-        QCOMPARE(kinds_of(m), std::string("rrac^rrrac^r"));
-        for (std::size_t i = 1; i < m.motions.size(); ++i)
-            if (m.motions[i].kind == MotionKind::retract)
-                QVERIFY2(m.motions[i].to.tip.z() + tool.flute_length >= 7,
-                         qPrintable(QString::number(m.motions[i].to.tip.z())));
-    }
-
-    /// A shank wider than the cutter, brought into stock that nobody roughed: out of it at feed.
-    void no_rapid_up_takes_a_shank_through_stock() {
-        Tool tool = ball_tool(6);
-        tool.flute_length = 4;
-        tool.shank_diameter = 8;
-        tool.shank_length = 30;
-        PlanContext context = context_of(level(), tool);
-        context.stock.box = context.part_box;
-        context.stock.box.hi.z() = 7;
-        context.stock_box = context.stock.box;
-        StrategyResult path;
-        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)})};
-        const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
-        QCOMPARE(kinds_of(m), std::string("rrac^rrrac^r"));
-        for (std::size_t i = 1; i < m.motions.size(); ++i)
-            if (m.motions[i].kind == MotionKind::rapid)
-                QVERIFY2(m.motions[i - 1].to.tip.z() + tool.flute_length >= 7,
-                         qPrintable(QString::number(m.motions[i - 1].to.tip.z())));
+    /// way up. A shank wider than the cutter is in stock itself, that nobody roughed.
+    void no_rapid_up_meets_what_stands_beside_the_shank() {
+        for (const double shank : {4.0, 8.0}) {
+            Tool tool = ball_tool(6);
+            tool.flute_length = 4;
+            tool.shank_diameter = shank;
+            tool.shank_length = 30;
+            PlanContext context = context_of(level(), tool);
+            context.stock.box = context.part_box;
+            context.stock.box.hi.z() = 7;
+            context.stock_box = context.stock.box;
+            StrategyResult path;
+            path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 3, 0), Vec3(-10, 3, 0)})};
+            const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+            QCOMPARE(kinds_of(m), std::string("rrac^rrrac^r"));
+            for (std::size_t i = 1; i < m.motions.size(); ++i)
+                if (m.motions[i].kind == MotionKind::retract)
+                    QVERIFY2(m.motions[i].to.tip.z() + tool.flute_length >= 7,
+                             qPrintable(QString::number(m.motions[i].to.tip.z())));
+        }
     }
 
     /// The same of a part that turns, and the planner's word for it.
