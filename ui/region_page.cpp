@@ -1,6 +1,7 @@
 #include "ui/region_page.h"
 
 #include "ui/icons.h"
+#include "ui/parameter_editor.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "viz/strip_display.h"
@@ -183,23 +184,23 @@ void RegionPage::cell_edited(int row, int column) {
         return;
     }
     if (column != grow_column) return;
-    double value = 0;
-    const ParameterInfo& info = region_edit_parameters().find("grow")->info;
     QString entered = item->text().trimmed();
     entered.replace(QChar(0x2212), QChar('-'));
-    const bool good = parse_number(utf8(entered), value) && value * mm_per(unit_) >= info.minimum
-                      && value * mm_per(unit_) <= info.maximum;
-    if (!good) {
-        filling_ = true;
-        item->setText(text(format_number(grown_[region] / mm_per(unit_), 4)));
-        filling_ = false;
+    std::optional<double> grow;
+    try {
+        grow =
+            std::get<double>(read_entered(region_edit_parameters().find("grow")->info, entered, unit_, {}));
+    } catch (const Error&) {
         emit refused(tr("“%1” is not a length to grow by: enter a number, below 0 to shrink")
                          .arg(elided(entered, 30)));
-        return;
     }
+    filling_ = true;
+    item->setText(text(format_number(grow.value_or(grown_[region]) / mm_per(unit_), 4)));
+    filling_ = false;
+    if (!grow) return;
     emit refused({});
-    grown_[region] = value * mm_per(unit_);
-    emit region_grown(region, grown_[region]);
+    grown_[region] = *grow;
+    emit region_grown(region, *grow);
 }
 
 void RegionPage::step_grow(int direction) {

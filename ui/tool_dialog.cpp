@@ -236,14 +236,19 @@ void ToolDialog::read_holder() {
         double values[2] = {0, 0};
         for (int k = 0; k < 2; ++k) {
             QTableWidgetItem* item = holder_->item(i, k);
-            const bool good = item && parse_number(utf8(item->text().trimmed()), values[k]) && values[k] > 0;
-            if (item) item->setForeground(good ? QBrush() : QBrush(signal_colors(palette()).bad));
-            if (!good)
+            try {
+                const ParameterInfo& info = holder_parameters().find(k == 0 ? "diameter" : "length")->info;
+                values[k] = std::get<double>(read_entered(info, item ? item->text() : QString(), unit_, {}));
+                item->setForeground(QBrush());
+                item->setText(shown_number(values[k], info, unit_));
+            } catch (const Error&) {
+                if (item) item->setForeground(QBrush(signal_colors(palette()).bad));
                 holder_problem_ = tr("Holder section %1: %2 must be a number above 0")
                                       .arg(i + 1)
                                       .arg(k == 0 ? tr("the diameter") : tr("the length"));
+            }
         }
-        sections.push_back({values[0] * mm_per(unit_), values[1] * mm_per(unit_)});
+        sections.push_back({values[0], values[1]});
     }
     filling_ = false;
     if (holder_problem_.isEmpty()) edit_.set_holder(std::move(sections));

@@ -363,7 +363,8 @@ private slots:
         QCOMPARE(holder->rowCount(), sections + 1);
         holder->item(sections, 0)->setText(QStringLiteral("x"));
         QVERIFY(!ok->isEnabled());
-        holder->item(sections, 0)->setText(QStringLiteral("3"));
+        holder->item(sections, 0)->setText(QStringLiteral("6/2"));
+        QCOMPARE(holder->item(sections, 0)->text(), QStringLiteral("3"));
         QVERIFY(ok->isEnabled());
         QTest::mouseClick(ok, Qt::LeftButton);
         const Tool after = w().document().project().tools[0];
