@@ -7,7 +7,6 @@
 #include "core/tools/library_file.h"
 
 #include <algorithm>
-#include <set>
 
 namespace facetmill::cli {
 

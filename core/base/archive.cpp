@@ -53,8 +53,7 @@ std::string wrong_with(std::string_view name) {
 class Names {
 public:
     bool take(std::string name) {
-        std::transform(name.begin(), name.end(), name.begin(),
-                       [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+        name = in_small_letters(std::move(name));
         if (folders_.contains(name) || !files_.insert(name).second) return false;
         for (std::size_t at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1)) {
             const std::string above = name.substr(0, at);

@@ -1,6 +1,7 @@
 #include "core/base/expression.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/base/vec.h"
 
 #include <algorithm>
@@ -180,8 +181,7 @@ private:
     }
 
     std::optional<double> unit_factor(std::string name) const {
-        for (char& c : name)
-            if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+        name = in_small_letters(std::move(name));
         if (quantity_ == Quantity::length || quantity_ == Quantity::feed) {
             std::string length = name;
             if (quantity_ == Quantity::feed) {

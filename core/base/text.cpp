@@ -131,6 +131,12 @@ void check_text(std::string_view text, const std::string& place) {
     }
 }
 
+std::string in_small_letters(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return text;
+}
+
 std::string json_text(std::string_view text, const std::string& place) {
     static constexpr char digits[] = "0123456789abcdef";
     std::string out = "\"";

@@ -3,6 +3,7 @@
 #include "core/base/archive.h"
 #include "core/base/error.h"
 #include "core/base/leftovers.h"
+#include "core/base/text.h"
 #include "core/job/new_folder.h"
 #include "core/job/project_inputs.h"
 
@@ -22,12 +23,6 @@ namespace {
 
 constexpr std::string_view project_ending = ".facetmill", files_folder = "files/";
 constexpr std::uint64_t largest_project = std::uint64_t(1) << 30;
-
-std::string in_small_letters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return text;
-}
 
 /// A file's name without what archives do not take.
 std::string plain_name(std::string name) {

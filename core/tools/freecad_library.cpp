@@ -1,4 +1,5 @@
 // FreeCAD's tools (.fctb), libraries of them (.fctl) and holders (.fcholder).
+#include "core/base/text.h"
 #include "core/base/vec.h"
 #include "core/tools/formats.h"
 
@@ -28,8 +29,7 @@ constexpr std::array<FreecadShape, 10> shapes{{{"endmill", CutterKind::flat},
 
 /// "ballend" of "Ballend.fcstd", "ballend" of "Ballend".
 std::string shape_word(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    text = in_small_letters(std::move(text));
     const std::size_t slash = text.find_last_of("/\\");
     if (slash != std::string::npos) text.erase(0, slash + 1);
     if (const std::size_t dot = text.find('.'); dot != std::string::npos) text.erase(dot);

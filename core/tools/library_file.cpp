@@ -2,6 +2,7 @@
 
 #include "core/base/archive.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/tools/formats.h"
 
 #include <algorithm>
@@ -157,9 +158,7 @@ LibraryFormat library_format(std::string_view name, const std::string& where) {
 }
 
 LibraryFormat format_of(const fs::path& file) {
-    std::string end = file.extension().string();
-    for (char& c : end)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    const std::string end = in_small_letters(file.extension().string());
     for (const FormatInfo& f : formats)
         if (end == f.end) return f.format;
     throw Error(ErrorCode::unsupported_format, printable(file.string(), 400),

@@ -1,4 +1,5 @@
 // LinuxCNC's tool table, and the lists of CAMotics and Kiri:Moto: a few sizes of every tool.
+#include "core/base/text.h"
 #include "core/base/vec.h"
 #include "core/tools/formats.h"
 
@@ -10,12 +11,6 @@
 namespace facetmill {
 
 namespace {
-
-std::string small_letters(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return text;
-}
 
 /// What formats that have only sizes leave out.
 void tell_lost(const LibraryTool& t, ToolRemarks& told) {
@@ -103,7 +98,7 @@ ReadLibrary read_linuxcnc(std::string_view text, const std::string& name, Length
         CutterSizes s;
         s.diameter = *diameter * mm_per(unit);
         s.flute_length = usual_flutes * s.diameter;
-        const std::string words_of = small_letters(t.tool.name);
+        const std::string words_of = in_small_letters(t.tool.name);
         if (words_of.find("ball") != std::string::npos) s.kind = CutterKind::ball;
         remarks.add(std::string("a table tells no shape and no lengths: taken for a ")
                     + (s.kind == CutterKind::ball ? "ball" : "flat") + " end with usual flutes and shank");
@@ -141,14 +136,14 @@ ReadLibrary read_camotics(const Json& json) {
         if (!parse_number(it.key(), number)) continue;
         LooseObject object(*it, "tools." + printable(it.key()));
         const LengthUnit unit =
-            small_letters(object.text("units")) == "imperial" ? LengthUnit::inch : LengthUnit::mm;
+            in_small_letters(object.text("units")) == "imperial" ? LengthUnit::inch : LengthUnit::mm;
         if (first) read.library.unit = unit;
         first = false;
         LibraryTool t = sized(number, object.text("description"));
         if (t.tool.name.empty()) t.tool.name = "Tool " + std::to_string(t.tool.number);
         ToolRemarks remarks(read.remarks);
         remarks.about(t);
-        const std::string shape = small_letters(object.text("shape"));
+        const std::string shape = in_small_letters(object.text("shape"));
         CutterSizes s;
         s.diameter = object.length("diameter", unit).value_or(0);
         const double snub = object.length("snub_diameter", unit).value_or(0);
@@ -225,7 +220,7 @@ ReadLibrary read_kiri(const Json& json) {
         LibraryTool t = sized(object.number("number").value_or(double(i + 1)), object.text("name"));
         ToolRemarks remarks(read.remarks);
         remarks.about(t);
-        const std::string type = small_letters(object.text("type"));
+        const std::string type = in_small_letters(object.text("type"));
         CutterSizes s;
         s.diameter = object.length("flute_diam", unit).value_or(0);
         s.flute_length = object.length("flute_len", unit).value_or(0);
