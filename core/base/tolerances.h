@@ -142,6 +142,8 @@ inline constexpr double parallel_sine = 1e-8;
 inline constexpr double grid_rounding = 1e-9;
 /// Below this a part of a unit vector, or an angle, is rounding.
 inline constexpr double unit_rounding = 1e-14;
+/// The square of a step of Newton's method that is less than this (of an angle) is rounding.
+inline constexpr double last_newton_step = 1e-8;
 /// How far inside the faces of the stock the outermost rays are, as a share of their spacing.
 inline constexpr double lattice_inset = 1e-3;
 /// Corners of the stock.s surface keep this share of a cell.s edge away from its ends: no triangle vanishes.

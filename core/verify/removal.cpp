@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t items_per_batch = 1024;
 /// Of one move, at most.
 constexpr std::size_t max_pieces = 4096;
+/// Of the rays in a tool's shadow, those that still have something there: the moves before have cut the rest.
+/// Measured on a turned part, and on a relief.
+constexpr double met_turning = 0.2, met_straight = 0.02;
 
 std::string goto_name(const VerifyProgram& program, std::size_t motion) {
     return "'" + program.name + "', GOTO " + std::to_string(motion + 1);
@@ -59,6 +62,34 @@ struct MaterialRemoval::Bodies {
     Checked rapid;                 ///< the cutter, where it must not cut
     std::vector<Checked> sections; ///< shank and holder
     double reach;                  ///< of the cutter
+    double whole_reach, radius;    ///< of all bodies
+
+    /// How far from the tip the tool is in the stock during a motion, at most; no more than the cutter's
+    /// reach. With the length of the flutes instead, turns in shallow cuts would be divided many times over.
+    double reach_in(const Box3& stock, const CutterLocation& from, const CutterLocation& to,
+                    const std::optional<TurningAxis>& turning) const {
+        if (from.axis == to.axis) return reach;
+        double route = (to.tip - from.tip).norm();
+        const double angle = angle_turned(from.axis, to.axis, turning);
+        if (turning)
+            route += angle * std::max((from.tip - turning->point).norm(), (to.tip - turning->point).norm());
+        // So far is no place between the ends from the nearer of them; axes may tilt as well as turn.
+        const Vec3 margin = Vec3::Constant(radius + route + 2 * whole_reach * angle);
+        const Box3 near{stock.lo - margin, stock.hi + margin};
+        double farthest = 0;
+        for (const CutterLocation& at : {from, to}) {
+            double enter = 0, leave = whole_reach;
+            for (int k = 0; k < 3; ++k) {
+                const double a = (near.lo[k] - at.tip[k]) / at.axis[k],
+                             b = (near.hi[k] - at.tip[k]) / at.axis[k];
+                if (std::isnan(a) || std::isnan(b)) return reach;
+                enter = std::max(enter, std::min(a, b));
+                leave = std::min(leave, std::max(a, b));
+            }
+            if (enter <= leave) farthest = std::max(farthest, leave);
+        }
+        return std::min(reach, std::hypot(farthest, radius));
+    }
 };
 
 MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double motion_bound, double touch,
@@ -72,11 +103,15 @@ MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double
             const double turn = motion_bound * std::max(1.0, body.reach() / reach);
             return Bodies::Checked{body.shrunk(touch), body.shrunk(touch + 2 * turn), kind};
         };
-        Bodies bodies{cutter, checked(cutter, Collision::Kind::rapid), {}, reach};
-        for (const ToolSection& s : program.tool.sections)
-            bodies.sections.push_back(checked(TurnedBody(s.radius, s.from, s.to),
-                                              s.part == ToolSection::Part::shank ? Collision::Kind::shank
-                                                                                 : Collision::Kind::holder));
+        Bodies bodies{cutter, checked(cutter, Collision::Kind::rapid), {}, reach, reach, cutter.radius()};
+        for (const ToolSection& s : program.tool.sections) {
+            const TurnedBody section(s.radius, s.from, s.to);
+            bodies.sections.push_back(checked(section, s.part == ToolSection::Part::shank
+                                                           ? Collision::Kind::shank
+                                                           : Collision::Kind::holder));
+            bodies.whole_reach = std::max(bodies.whole_reach, section.reach());
+            bodies.radius = std::max(bodies.radius, section.radius());
+        }
         bodies_.push_back(std::move(bodies));
     }
     air_.assign(programs.size(), 0);
@@ -111,8 +146,9 @@ std::size_t MaterialRemoval::bytes_needed(const StockModel& stock, const Progres
             if (i % 1024 == 0) progress.check();
             if (motions[i].kind == MotionKind::rapid) continue;
             moves.clear();
-            straight_moves(motions[i > 0 ? i - 1 : 0].to, motions[i].to, programs_[n].turning, 0, 1,
-                           bodies_[n].reach, motion_bound_, moves);
+            const CutterLocation &from = motions[i > 0 ? i - 1 : 0].to, &to = motions[i].to;
+            const double reach = bodies_[n].reach_in(stock.solid().box, from, to, programs_[n].turning);
+            straight_moves(from, to, programs_[n].turning, 0, 1, reach, motion_bound_, moves);
             for (const StraightMove& whole : moves) {
                 // The box of a long move across the lattice holds much that the tool does not reach.
                 const Vec3 route = whole.to - whole.from;
@@ -141,6 +177,38 @@ std::size_t MaterialRemoval::bytes_needed(const StockModel& stock, const Progres
     return count * sizeof(RayTile);
 }
 
+double MaterialRemoval::rays_asked(const Box3& stock, double resolution) const {
+    const double ray = resolution * resolution;
+    double asked = 0;
+    for (std::size_t n = 0; n < programs_.size(); ++n) {
+        const auto& motions = programs_[n].motions->motions;
+        const double radius = bodies_[n].cutter.radius();
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            if (motions[i].kind == MotionKind::rapid) continue;
+            const CutterLocation &from = motions[i > 0 ? i - 1 : 0].to, &to = motions[i].to;
+            const double reach = bodies_[n].reach_in(stock, from, to, programs_[n].turning);
+            const double angle = angle_turned(from.axis, to.axis, programs_[n].turning);
+            const double lever = programs_[n].turning ? (to.tip - programs_[n].turning->point).norm() : 0;
+            const auto pieces = double(pieces_of_turn(angle, lever, reach, motion_bound_));
+            Box3 box = StraightMove{from.tip, to.tip, to.axis}.box(bodies_[n].cutter);
+            box.lo = box.lo.cwiseMax(stock.lo);
+            box.hi = box.hi.cwiseMin(stock.hi);
+            if (box.empty()) continue;
+            const Vec3 size = box.size();
+            const double swept = 2 * radius * (to.tip - from.tip).norm();
+            const double met = angle > 0 ? met_turning : met_straight;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double upright = std::abs(to.axis[axis]);
+                const double beside = std::sqrt(std::max(0.0, (1 - upright) * (1 + upright)));
+                const double shadow = pi * radius * radius * upright + 2 * radius * reach * beside;
+                const double most = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+                asked += (met * pieces * std::min(shadow, most) + std::min(swept, most)) / ray;
+            }
+        }
+    }
+    return asked;
+}
+
 void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t first, std::size_t last,
                           double until, bool watch, const Progress& progress) {
     const VerifyProgram& p = programs_[program];
@@ -155,7 +223,8 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
         const CutterLocation& from = motions[i > 0 ? i - 1 : 0].to;
         const double end = i + 1 == last ? until : 1;
         moves.clear();
-        straight_moves(from, motion.to, p.turning, 0, end, bodies.reach, motion_bound_, moves);
+        const double reach = bodies.reach_in(stock_box, from, motion.to, p.turning);
+        straight_moves(from, motion.to, p.turning, 0, end, reach, motion_bound_, moves);
         const bool rapid = motion.kind == MotionKind::rapid;
         const bool turns = from.axis != motion.to.axis;
         for (const StraightMove& move : moves) {

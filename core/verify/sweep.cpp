@@ -21,6 +21,13 @@
 
 namespace facetmill {
 
+namespace {
+
+/// Of a torus' outline, from which Newton's method starts within 1e-4 of where it ends.
+constexpr double cells_a_right_angle = 8;
+
+} // namespace
+
 Mat3 to_tool_frame(const Vec3& axis) {
     // The rotation of least angle; for an axis that points straight down half a turn about x.
     if (axis.x() == 0 && axis.y() == 0)
@@ -55,14 +62,8 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     world_along_ = world_along;
     along_ = frame_ * world_along;
     u_along_ = direction.dot(world_along);
-    // The shadow of the cylinder round the body, which moves with it, is a strip.
     const double noise = size * tolerance::sweep_roundings;
-    const Vec3 beside = move.axis.cross(direction);
-    if (const double lean = beside.norm(); lean > tolerance::parallel_sine) {
-        const Vec3 value = beside / lean;
-        const double a = value.dot(move.from), b = value.dot(move.to);
-        strips_[1] = {value, std::min(a, b) - body.radius() - noise, std::max(a, b) + body.radius() + noise};
-    }
+    set_cylinder(move, direction, noise);
     parallel_ = !(sine_ > tolerance::parallel_sine);
     if (parallel_) return;
     world_across_ = cross / sine_;
@@ -75,6 +76,44 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
         const double at = world_across_.dot(from_);
         strips_[0] = {world_across_, at + exit_.front().c0 - noise, at + exit_.back().c1 + noise};
     }
+}
+
+void SweepRays::set_cylinder(const StraightMove& move, const Vec3& direction, double noise) {
+    // The shadow of the cylinder round the body, which moves with it, is a strip.
+    const Vec3 route = move.to - move.from, beside = move.axis.cross(direction);
+    const double rise = direction.dot(move.axis), slack = 1e5 * noise;
+    if (const double lean = beside.norm(); lean > tolerance::parallel_sine) {
+        const Vec3 value = beside / lean;
+        const double a = value.dot(move.from), b = value.dot(move.to), radius = body_->radius() + noise;
+        strips_[1] = {value, std::min(a, b) - radius, std::max(a, b) + radius};
+        hull_.middle = 0.5 * (a + b);
+        hull_.half = 0.5 * std::abs(b - a) + radius + slack;
+        hull_.per_lean = 1 / lean;
+        hull_.nearest = (rise * move.axis - direction) / (lean * lean);
+        const double start = -hull_.nearest.dot(move.from), shift = -hull_.nearest.dot(route);
+        hull_.from = start + std::min(0.0, shift) - slack * hull_.per_lean;
+        hull_.to = start + std::max(0.0, shift) + slack * hull_.per_lean;
+    }
+    if (std::abs(rise) > tolerance::parallel_sine) {
+        hull_.level = -move.axis / rise;
+        const double climb = route.dot(move.axis), start = move.from.dot(move.axis);
+        const double a = (start + body_->bottom() + std::min(0.0, climb) - slack) / rise;
+        const double b = (start + body_->top() + std::max(0.0, climb) + slack) / rise;
+        hull_.bottom = std::min(a, b);
+        hull_.top = std::max(a, b);
+    }
+}
+
+/// Whether what holds the swept body has nothing of a line between `low` and `high`.
+bool SweepRays::misses(const Vec3& p, double low, double high) const {
+    const double level = hull_.level.dot(p);
+    if (level + hull_.bottom >= high || level + hull_.top <= low) return true;
+    if (hull_.per_lean == 0) return false;
+    const double off = std::abs(strips_[1].value.dot(p) - hull_.middle);
+    if (off > hull_.half) return true;
+    const double nearest = hull_.nearest.dot(p);
+    const double half = std::sqrt((hull_.half - off) * (hull_.half + off)) * hull_.per_lean;
+    return nearest + hull_.from - half >= high || nearest + hull_.to + half <= low;
 }
 
 /// An angle from 0 to pi by its place p: tan(psi / 2) up to a right angle, then what that is short of 2 seen
@@ -176,6 +215,7 @@ void SweepRays::build(double side, std::vector<Link>& chain) {
                 link.cos1 = to.cosine;
                 link.p0 = from.place();
                 link.p1 = to.place();
+                tabulate_torus(link, side);
             } else {
                 // (cos, sin) of the place on the circle from the direction of m.
                 link.kind = Link::Kind::circle;
@@ -213,34 +253,94 @@ void SweepRays::build(double side, std::vector<Link>& chain) {
     run(turn, pi, false);
 }
 
-SweepRays::Touch SweepRays::touch_torus(const Link& link, double side, double c) const {
-    // c(psi) grows, nearly with -cos psi; Newton's method kept within a bracket.
+/// The outline's point on a torus for the normal at `psi`.
+struct SweepRays::TorusPoint {
+    Vec2 radial = Vec2::Zero(), swing = Vec2::Zero(); ///< towards its side; by how much that turns with psi
+    double c = 0, slope = 0;                          ///< offset, and by how much it grows with psi
+};
+
+SweepRays::TorusPoint SweepRays::torus_point(const Link& link, double side, const Angle& psi) const {
     const Vec2 m = across_.head<2>(), k = out_.head<2>();
+    const Vec2 h = -psi.cosine * m + side * psi.sine * k, turn = psi.sine * m + side * psi.cosine * k;
+    TorusPoint at;
+    if (const double away = h.norm(); away > 0) {
+        at.radial = h / away;
+        at.swing = (turn - at.radial.dot(turn) * at.radial) / away;
+    }
+    at.c = link.e * at.radial.dot(m) + link.middle_c - link.r * psi.cosine;
+    at.slope = link.e * at.swing.dot(m) + link.r * psi.sine;
+    return at;
+}
+
+/// psi at offset `c`, sought from `cosine` on, and the outline's point there.
+SweepRays::TorusPoint SweepRays::find_on_torus(const Link& link, double side, double c, double cosine,
+                                               Angle& psi) const {
+    // c(psi) grows; Newton's method kept within a bracket.
     double low = link.p0, high = link.p1;
-    const double cosine = link.cos0 + (link.cos1 - link.cos0) * ((c - link.c0) / (link.c1 - link.c0));
-    Angle psi{cosine, std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)))};
+    psi = {cosine, std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)))};
     const double noise =
         std::numeric_limits<double>::epsilon() * (std::abs(link.e) + link.r + std::abs(link.middle_c));
-    Vec2 radial = Vec2::Zero();
+    TorusPoint at;
     for (int i = 0; i < 100; ++i) {
-        const Vec2 h = -psi.cosine * m + side * psi.sine * k;
-        const double away = h.norm();
-        if (away > 0) radial = h / away;
-        const double miss = link.e * radial.dot(m) + link.middle_c - link.r * psi.cosine - c;
+        const Vec2 before = at.radial;
+        at = torus_point(link, side, psi);
+        if (at.radial.isZero(0)) at.radial = before;
+        const double miss = at.c - c;
         if (std::abs(miss) <= noise) break;
         (miss > 0 ? high : low) = psi.place();
-        const Vec2 turn = psi.sine * m + side * psi.cosine * k;
-        const Vec2 swing = away > 0 ? Vec2((turn - radial.dot(turn) * radial) / away) : Vec2(Vec2::Zero());
-        const double slope = link.e * swing.dot(m) + link.r * psi.sine;
-        const double step = slope > 0 ? -miss / slope : infinity;
+        const double step = at.slope > 0 ? -miss / at.slope : infinity;
         if (std::abs(step) <= tolerance::unit_rounding) break;
         const Angle next = psi.turned(step);
         const double p = next.place();
         const bool within = std::abs(step) < 1 && next.sine > 0 && p > low && p < high;
         psi = within ? next : Angle::at(0.5 * (low + high));
+        if (within && std::abs(step) * std::max(1.0, at.swing.norm()) <= tolerance::last_newton_step) {
+            at.radial += step * at.swing; // off by the square of the step
+            break;
+        }
     }
-    return {link.e * radial.dot(k) + link.middle_y + side * link.r * psi.sine,
-            link.e * radial.dot(along_.head<2>()) + link.middle_l};
+    return at;
+}
+
+/// What Newton's method starts from: cosines of psi at offsets equally far apart, and how they change from
+/// one to the next.
+void SweepRays::tabulate_torus(Link& link, double side) {
+    link.first = starts_.size();
+    link.cells = std::max(1, int(std::ceil((link.p1 - link.p0) * cells_a_right_angle)));
+    const double step = (link.c1 - link.c0) / link.cells;
+    for (int i = 0; i <= link.cells; ++i) {
+        Start start{i == 0 ? link.cos0 : link.cos1, infinity};
+        if (i > 0 && i < link.cells) {
+            Angle psi{};
+            const double between = link.cos0 + (link.cos1 - link.cos0) * i / link.cells;
+            const TorusPoint at = find_on_torus(link, side, link.c0 + i * step, between, psi);
+            start = {psi.cosine, at.slope > 0 ? -psi.sine / at.slope * step : infinity};
+        }
+        starts_.push_back(start);
+    }
+    // At the ends both change and sine may be 0: as of a parabola.
+    for (int i = 0; i <= link.cells; ++i) {
+        Start* const s = starts_.data() + link.first + i;
+        if (std::isfinite(s->change)) continue;
+        const int before = i > 0 ? -1 : 0, after = i < link.cells ? 1 : 0;
+        const double chord = (s[after].cosine - s[before].cosine) / (after - before);
+        const double beyond = before == 0 ? s[after].change : after == 0 ? s[before].change : chord;
+        s->change = std::isfinite(beyond) ? 2 * chord - beyond : chord;
+    }
+}
+
+SweepRays::Touch SweepRays::touch_torus(const Link& link, double side, double c) const {
+    const double place = (c - link.c0) / (link.c1 - link.c0) * link.cells;
+    const int cell = std::clamp(int(place), 0, link.cells - 1);
+    const Start &a = starts_[link.first + std::size_t(cell)],
+                &b = starts_[link.first + std::size_t(cell) + 1];
+    const double t = place - cell, rise = b.cosine - a.cosine;
+    const double bend = t * (1 - t) * ((1 - t) * (a.change - rise) - t * (b.change - rise));
+    Angle psi{};
+    const double start = std::clamp(a.cosine + t * rise + bend, link.cos1, link.cos0);
+    const TorusPoint at = find_on_torus(link, side, c, start, psi);
+    return {link.e * at.radial.dot(out_.head<2>()) + link.middle_y + side * link.r * psi.sine,
+            link.e * at.radial.dot(along_.head<2>()) + link.middle_l};
 }
 
 SweepRays::Touch SweepRays::touch(const std::vector<Link>& chain, double side, double c) const {
@@ -265,6 +365,7 @@ Stretch SweepRays::at_end(const Vec3& p, bool last) const {
 }
 
 Stretch SweepRays::operator()(const Vec3& p, double low, double high) const {
+    if (misses(p, low, high)) return {};
     if (parallel_) {
         Stretch s = at_end(p, false);
         const double shift = length_ * u_along_;
@@ -333,6 +434,23 @@ CutterLocation location_between(const CutterLocation& from, const CutterLocation
     return {tip, Eigen::AngleAxisd(s * angle, cross / sine) * from.axis};
 }
 
+double angle_turned(const Vec3& from, const Vec3& to, const std::optional<TurningAxis>& turning) {
+    const double angle = angle_between(from, to);
+    if (!turning) return angle;
+    const Vec3& d = turning->direction;
+    return std::max(angle, angle_between(Vec3(from - from.dot(d) * d), Vec3(to - to.dot(d) * d)));
+}
+
+std::size_t pieces_of_turn(double angle, double lever, double reach, double bound) {
+    // With the axis of the middle a point at `reach` is off by reach * angle / 2 at the ends; the tip's arc
+    // leaves its chord by lever * angle^2 / 8.
+    const auto off = [&](double part) { return 0.5 * reach * part + 0.125 * lever * part * part; };
+    auto n = std::size_t(std::ceil(std::max(1.0, 0.5 * reach * angle / bound)));
+    while (off(angle / double(n)) > bound)
+        n += 1 + n / 8;
+    return n;
+}
+
 void straight_moves(const CutterLocation& from, const CutterLocation& to,
                     const std::optional<TurningAxis>& turning, double s0, double s1, double reach,
                     double bound, std::vector<StraightMove>& moves) {
@@ -342,7 +460,7 @@ void straight_moves(const CutterLocation& from, const CutterLocation& to,
         moves.push_back({first.tip, last.tip, from.axis});
         return;
     }
-    double angle = angle_between(first.axis, last.axis);
+    const double angle = angle_turned(first.axis, last.axis, turning);
     double lever = 0; // of the tip about the turning axis
     if (turning) {
         const auto distance = [&](const Vec3& tip) {
@@ -350,19 +468,8 @@ void straight_moves(const CutterLocation& from, const CutterLocation& to,
             return (v - v.dot(turning->direction) * turning->direction).norm();
         };
         lever = std::max(distance(first.tip), distance(last.tip));
-        const auto radial = [&](const Vec3& v) {
-            return Vec3(v - v.dot(turning->direction) * turning->direction);
-        };
-        const Vec3 a = radial(first.axis), b = radial(last.axis);
-        angle = std::max(angle, angle_between(a, b));
     }
-    // With the axis of the middle a point at `reach` is off by reach * angle / 2 at the ends; the tip's arc
-    // leaves its chord by lever * angle^2 / 8.
-    std::size_t n = 1;
-    const auto off = [&](double part) { return 0.5 * reach * part + 0.125 * lever * part * part; };
-    n = std::size_t(std::ceil(std::max(1.0, 0.5 * reach * angle / bound)));
-    while (off(angle / double(n)) > bound)
-        n += 1 + n / 8;
+    const std::size_t n = pieces_of_turn(angle, lever, reach, bound);
     CutterLocation before = first;
     for (std::size_t i = 1; i <= n; ++i) {
         const CutterLocation next = i == n ? last : at(s0 + (s1 - s0) * double(i) / double(n));

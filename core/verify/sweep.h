@@ -108,20 +108,40 @@ private:
         double slope_y = 0, slope_l = 0;                 ///< line
         double middle_c = 0, middle_y = 0, middle_l = 0; ///< else: image of the centre
         double scale = 0, cos_y = 0, sin_y = 0, cos_l = 0,
-               sin_l = 0;                          ///< circle and sphere: C = (c - middle_c) scale
-        double e = 0, r = 0;                       ///< torus
+               sin_l = 0;      ///< circle and sphere: C = (c - middle_c) scale
+        double e = 0, r = 0;   ///< torus
+        std::size_t first = 0; ///< torus: in `starts_`, of `cells` and one
+        int cells = 0;
         double cos0 = 0, cos1 = 0, p0 = 0, p1 = 0; ///< torus: of psi at c0 and c1, see Angle
     };
     struct Touch {
         double y, l;
     };
     struct Angle;
+    struct TorusPoint;
+    struct Start {
+        double cosine, change;
+    };
     void build(double side, std::vector<Link>& chain);
     Vec3 normal(double side, double psi) const;
     Vec3 outline_point(const TurnedBody::Feature& f, double side, double psi, double from_psi) const;
     Touch touch(const std::vector<Link>& chain, double side, double c) const;
+    TorusPoint torus_point(const Link& link, double side, const Angle& psi) const;
+    TorusPoint find_on_torus(const Link& link, double side, double c, double cosine, Angle& psi) const;
+    void tabulate_torus(Link& link, double side);
     Touch touch_torus(const Link& link, double side, double c) const;
     Stretch at_end(const Vec3& p, bool last) const;
+    void set_cylinder(const StraightMove& move, const Vec3& direction, double noise);
+    bool misses(const Vec3& p, double low, double high) const;
+
+    /// What holds the swept body, to turn most lines away: the cylinder round it, as far as it is moved, and
+    /// the slab between its ends. At place p a line is nearest to the cylinder's axis at t = nearest . p, and
+    /// crosses the slab's faces at level . p, each between two offsets more.
+    struct Hull {
+        Vec3 nearest = Vec3::Zero(), level = Vec3::Zero();
+        double from = -infinity, to = infinity, bottom = -infinity, top = infinity;
+        double middle = 0, half = 0, per_lean = 0; ///< of strips_[1]
+    };
 
     const TurnedBody* body_;
     Mat3 frame_;
@@ -132,12 +152,21 @@ private:
     double length_ = 0, sine_ = 0, u_along_ = 0;
     bool parallel_ = false; ///< lines and motion, or no motion
     std::array<Strip, 2> strips_;
+    Hull hull_;
     std::vector<Link> entry_, exit_;
+    std::vector<Start> starts_; ///< of tori
 };
 
 /// Where the tool is at a share s of a motion, 0 at its start and 1 at its end.
 CutterLocation location_between(const CutterLocation& from, const CutterLocation& to,
                                 const std::optional<TurningAxis>& turning, double s);
+
+/// The angle between two axes, or that by which the axis turns about the part's, where that is larger.
+double angle_turned(const Vec3& from, const Vec3& to, const std::optional<TurningAxis>& turning);
+
+/// Into how many straight moves a motion is divided whose axis turns by `angle`, with the tip at most `lever`
+/// (mm) from where it turns about; the rest as in straight_moves.
+std::size_t pieces_of_turn(double angle, double lever, double reach, double bound);
 
 /// Appends to `moves` the part of a motion from s0 to s1 (shares of it) as straight moves, each with the axis
 /// of its middle, such that no point within `reach` (mm) of the tip is farther than `bound` (mm) from where

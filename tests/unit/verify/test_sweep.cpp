@@ -165,6 +165,22 @@ private slots:
                                                 .arg(want.lo, 0, 'g', 12)
                                                 .arg(want.hi, 0, 'g', 12)));
             worst = std::max(worst, off);
+            // Within a window the same, or nothing where there is nothing.
+            const double low = got.lo + (got.hi - got.lo) * (2 * share(random) - 1);
+            const double high = low + (got.hi - got.lo) * share(random);
+            const Stretch part = SweepRays(body, k.move, k.u)(k.p, low, high);
+            const double from = std::max(got.lo, low), to = std::min(got.hi, high);
+            if (!(to - from > 1e-9)) continue;
+            QVERIFY2(!part.empty() && std::abs(std::max(part.lo, low) - from) < 1e-9
+                         && std::abs(std::min(part.hi, high) - to) < 1e-9,
+                     qPrintable(QString("case %1: %2 %3 of %4 %5 within %6 %7")
+                                    .arg(n)
+                                    .arg(part.lo, 0, 'g', 12)
+                                    .arg(part.hi, 0, 'g', 12)
+                                    .arg(got.lo, 0, 'g', 12)
+                                    .arg(got.hi, 0, 'g', 12)
+                                    .arg(low, 0, 'g', 12)
+                                    .arg(high, 0, 'g', 12)));
         }
         qInfo("%d of %d lines meet the tool; worst difference %.2g mm", hit, lines, worst);
         QVERIFY(hit > lines / 2);
