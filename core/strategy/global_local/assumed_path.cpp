@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/strategy/surface/point_grid.h"
+#include "core/mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,32 +194,32 @@ ScreenedPath screen(const AssumedPath& path, double lead_limit, double offset, c
     return result;
 }
 
-void assign_pairs(const ReworkRegions& regions, std::vector<BoundaryPair>& pairs) {
-    std::vector<Vec3> corners;
+void assign_pairs(const ReworkRegions& regions, std::vector<BoundaryPair>& pairs, const Progress& progress) {
+    std::vector<const std::array<Vec3, 3>*> facets;
     std::vector<std::size_t> region_of;
-    double size = 1;
+    std::vector<Box3> boxes;
     for (std::size_t r = 0; r < regions.regions.size(); ++r)
         for (const auto& facet : regions.regions[r].strip.band) {
-            size = std::max(size, (facet[1] - facet[0]).norm());
-            for (const Vec3& c : facet) {
-                corners.push_back(c);
-                region_of.push_back(r);
-            }
+            facets.push_back(&facet);
+            region_of.push_back(r);
+            boxes.emplace_back();
+            for (const Vec3& c : facet)
+                boxes.back().add(c);
         }
-    if (corners.empty()) return;
-    const PointGrid grid(std::move(corners), size);
+    if (facets.empty()) return;
+    const BoxTree tree(boxes, progress);
     std::map<std::pair<std::size_t, int>, std::pair<std::size_t, std::size_t>> outermost;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (i % 256 == 0) progress.check();
         BoundaryPair& pair = pairs[i];
         double least = infinity;
-        for (double reach = size; least == infinity && reach < 1e3 * size; reach *= 2)
-            grid.near(pair.in, reach, [&](std::size_t k) {
-                const double square = (grid.points()[k] - pair.in).squaredNorm();
-                if (square < least) {
+        tree.nearest(pair.in, least, [&](std::size_t k) {
+            for (const Vec3& c : *facets[k])
+                if (const double square = (c - pair.in).squaredNorm(); square < least) {
                     least = square;
                     pair.region = region_of[k];
                 }
-            });
+        });
         if (!pair.regular) continue;
         const auto [at, is_new] = outermost.try_emplace({pair.region, pair.trajectory}, i, i);
         if (!is_new) at->second.second = i;

@@ -78,6 +78,6 @@ Vec3 offset_along(std::span<const Vec3> polyline, double offset);
 
 /// Gives each pair the number of its region, and marks the effective ones: the outermost boundary points of
 /// every trajectory in every region.
-void assign_pairs(const ReworkRegions& regions, std::vector<BoundaryPair>& pairs);
+void assign_pairs(const ReworkRegions& regions, std::vector<BoundaryPair>& pairs, const Progress& progress);
 
 } // namespace facetmill

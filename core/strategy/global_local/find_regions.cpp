@@ -128,7 +128,7 @@ FoundRegions find_regions(const RegionSource& source, const GlobalLocalSettings&
     FoundRegions found;
     found.regions = rework_regions(input, screened.uncut, progress);
     found.pairs = std::move(screened.pairs);
-    assign_pairs(found.regions, found.pairs);
+    assign_pairs(found.regions, found.pairs, progress);
     for (ReworkRegion& r : found.regions.regions) {
         r.strip.tool = settings.rework_tool;
         r.strip.reason = r.lead_largest > settings.assumed_lead_limit
