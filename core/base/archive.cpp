@@ -334,8 +334,8 @@ void ArchiveReader::read(std::size_t i, const std::function<void(std::string_vie
     const std::unique_ptr<zip_file_t, Close> file(
         zip_fopen_index(entries_->archive.get(), entries_->all[i].place, 0));
     if (!file) damaged(where(i), printable(zip_strerror(entries_->archive.get())));
-    // What is said of the size may be a lie.
-    std::string piece(1 << 18, '\0');
+    // What is said of the size may be a lie: one byte more is asked for.
+    std::string piece(std::size_t(std::min<std::uint64_t>(said, (1 << 18) - 1)) + 1, '\0');
     std::uint64_t got = 0;
     while (true) {
         const zip_int64_t n = zip_fread(file.get(), piece.data(), piece.size());
