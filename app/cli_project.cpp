@@ -40,14 +40,21 @@ OptionInfo large_option() {
 
 namespace {
 
-void tell_size(const WorkEstimate& estimate, const Arguments& arguments, Session& session) {
+void tell_size(const WorkEstimate& estimate, const std::string& remedy, const Arguments& arguments,
+               Session& session) {
     if (estimate.large() && !arguments.has("--yes-large"))
         throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
-                    "choose a larger tolerance or step-over, or give --yes-large");
+                    remedy + ", or give --yes-large");
     if (estimate.notable()) session.say(estimate.what + " takes " + estimate.text());
 }
 
 } // namespace
+
+void tell_work(VerifySettings& settings, const Arguments& arguments, Session& session) {
+    settings.before_work = [&](const VerifyWork& work) {
+        tell_size(estimate_of(work), "choose a coarser --resolution", arguments, session);
+    };
+}
 
 namespace {
 
@@ -58,7 +65,7 @@ std::shared_ptr<const PlanResult> plan_one(Planner& planner, const Project& proj
     check_project(project);
     const auto part = planner.prepare(project, progress.part(0, 0.05));
     for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
-        tell_size(estimate, arguments, session);
+        tell_size(estimate, "choose a larger tolerance or step-over", arguments, session);
     auto plan = planner.plan(project, only_operation, progress.part(0.05, 1));
     plan->check_programs();
     for (const auto& o : plan->idle)

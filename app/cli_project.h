@@ -25,6 +25,11 @@ Project asked_project(const Arguments& arguments);
 /// The option that lets a job of more than usual size begin.
 OptionInfo large_option();
 
+/// Has a verification say on stderr how much work it will be, where that is much, and throw
+/// Error(limit_exceeded) before it begins where it is more than usual and --yes-large is not given. Both
+/// others must outlive the settings.
+void tell_work(VerifySettings& settings, const Arguments& arguments, Session& session);
+
 /// planner.plan, with errors that name the project's file unless they name the part's or the stock's. Says on
 /// stderr how much work it will be where that is much. Throws as that does; Error(limit_exceeded) where it is
 /// more than usual and --yes-large is not given.

@@ -169,6 +169,7 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     if (!verifies) return result;
     const Progress verifying = progress.part(0.5, 1.0);
     settings.max_samples = 400'000; // a picture shows no more
+    tell_work(settings, arguments, session);
     request.verification = std::make_shared<const Verification>(
         verify(*result.part->mesh, result.stock, programs, settings, verifying.part(0.0, 0.9)));
     // It would hide the colours.

@@ -89,8 +89,9 @@ void report_setups(const Arguments& arguments, const Project& project, OutputFil
             programs.push_back(posted.back().programs);
         }
         const double from = 0.4 + 0.45 * double(judged.size()) / n;
-        JudgedChain one =
-            judge_chain(chain, programs, chain_settings(chain), progress.part(from, from + 0.45 / n));
+        VerifySettings settings = chain_settings(chain);
+        tell_work(settings, arguments, session);
+        JudgedChain one = judge_chain(chain, programs, settings, progress.part(from, from + 0.45 / n));
         auto told = std::make_shared<Verification>(*one.result);
         for (auto p = posted.rbegin(); p != posted.rend(); ++p)
             tell_posted(*told, *p);
@@ -126,8 +127,10 @@ void run_report(const Arguments& arguments, Session& session) {
     // Where there is a control, what it will run is judged.
     const PostedPrograms posted = programs_to_judge(project, plan, progress.part(0.35, 0.4));
     const auto& programs = posted.programs;
-    Verification result = verify(*plan->part->mesh, plan->stock, programs,
-                                 verify_settings(project, plan.get()), progress.part(0.4, 0.85));
+    VerifySettings settings = verify_settings(project, plan.get());
+    tell_work(settings, arguments, session);
+    Verification result =
+        verify(*plan->part->mesh, plan->stock, programs, settings, progress.part(0.4, 0.85));
     tell_posted(result, posted);
     const auto verification = std::make_shared<const Verification>(std::move(result));
     const auto drawn = pictures(project, *plan, verification, progress.part(0.85, 1.0));

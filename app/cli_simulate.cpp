@@ -124,6 +124,7 @@ void simulate_setups(const Arguments& arguments, const Project& project, const A
     for (const std::span<const SetupPlan> chain : chains) {
         VerifySettings settings = chain_settings(chain);
         asked.apply(settings, *chain.front().plan->part);
+        tell_work(settings, arguments, session);
         const double at = double(judged.size());
         judged.push_back(judge_chain(chain, planned_programs(chain), settings,
                                      progress.part(0.3 + 0.65 * at / n, 0.3 + 0.65 * (at + 1) / n)));
@@ -193,6 +194,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
         settings = verify_settings(project, nullptr);
     }
     asked.apply(settings, *part);
+    tell_work(settings, arguments, session);
     const StockSolid stock = stock_solid(project.stock, *part);
     Verification result = verify(*part->mesh, stock, programs, settings, progress.part(0.3, 0.95));
     for (std::string& warning : stock_warnings(project.stock, *part, project.unit))

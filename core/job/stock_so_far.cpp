@@ -11,12 +11,15 @@ namespace {
 
 /// Rays of a stock whose surface planners read as a mesh: some million facets at most.
 constexpr std::size_t rest_rays = 3'000'000;
+/// A minute or less of cutting it.
+constexpr double rest_rays_asked = 1e8;
 
 } // namespace
 
 StockSolid rest_after(const StockSolid& stock, std::span<const VerifyProgram> programs,
                       VerifySettings settings, const Progress& progress) {
     settings.usual_rays = rest_rays;
+    settings.usual_rays_asked = rest_rays_asked;
     const std::shared_ptr<const StockModel> left =
         stock_after(stock, programs, settings, progress.part(0, 0.7));
     StockSolid rest;

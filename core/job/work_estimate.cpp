@@ -156,6 +156,10 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
     return all;
 }
 
+WorkEstimate estimate_of(const VerifyWork& work) {
+    return {"the verification", work.places, work.bytes, work.seconds};
+}
+
 double estimate_places(const PreparedPart& part, double spacing) {
     return 2 * area_of(*part.mesh) / (spacing * spacing);
 }

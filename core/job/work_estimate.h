@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/job/planner.h"
+#include "core/verify/verify.h"
 
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct WorkEstimate {
 /// For every operation, or for the one named. The project has been checked (check_project).
 std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPart& part,
                                         const std::string& only_operation);
+
+/// The same for a verification, from what it tells before it begins (VerifySettings::before_work).
+WorkEstimate estimate_of(const VerifyWork& work);
 
 /// How many places a verification compares that are `spacing` (mm) apart.
 double estimate_places(const PreparedPart& part, double spacing);

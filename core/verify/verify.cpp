@@ -1,5 +1,6 @@
 #include "core/verify/verify.h"
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/mesh/outward.h"
@@ -24,6 +25,8 @@ namespace {
 /// The resolution that is used unless one is given, in radii of the smallest cutter: its cusps and what it
 /// leaves in corners span some rays.
 constexpr double resolution_share = 0.05;
+/// The same where cutting would take long and the stock is not judged.
+constexpr double lightest_share = 0.125;
 /// By how much bodies that must not touch are made smaller, in resolutions: above the rounding of rays, and
 /// far below the depth that the rays tell.
 constexpr double touch_share = 0.02;
@@ -48,6 +51,7 @@ std::string percent(double share) {
 
 struct Radii {
     double min = infinity, max = 0;
+    double narrowest = infinity; ///< of cutters as a whole: a pointed one works with next to none
 };
 
 VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii& radii, bool turns) {
@@ -303,6 +307,23 @@ struct Prepared {
     std::vector<std::string> outside; ///< a sentence for each program that goes beside the stock
 };
 
+MaterialRemoval removal_of(std::span<const VerifyProgram> programs, const VerifySettings& used) {
+    return {programs, used.motion_bound, touch_share * used.resolution, used.max_stock_bytes};
+}
+
+/// Coarser until cutting asks rays no more often than is usual.
+void lighten(VerifySettings& used, const StockSolid& stock, std::span<const VerifyProgram> programs,
+             double narrowest) {
+    const double coarsest = std::max(used.resolution, lightest_share * narrowest);
+    for (int round = 0; round < 10 && used.resolution < coarsest; ++round) {
+        const double asked = removal_of(programs, used).rays_asked(stock.box, used.resolution);
+        if (asked <= used.usual_rays_asked) return;
+        const double factor = std::max(1.05, std::cbrt(asked / used.usual_rays_asked));
+        used.resolution = std::min(coarsest, used.resolution * factor);
+        used.motion_bound = default_bound_share * used.resolution;
+    }
+}
+
 Prepared prepare(const StockSolid& stock, std::span<const VerifyProgram> programs,
                  const VerifySettings& settings, const Progress& progress) {
     check_programs(programs);
@@ -312,6 +333,7 @@ Prepared prepare(const StockSolid& stock, std::span<const VerifyProgram> program
     for (const VerifyProgram& program : programs) {
         p.radii.min = std::min(p.radii.min, working_radius(program.tool.cutter));
         p.radii.max = std::max(p.radii.max, program.tool.cutter.max_radius());
+        p.radii.narrowest = std::min(p.radii.narrowest, program.tool.cutter.max_radius());
         const Reach reach = reach_of(program, stock.box, progress);
         turns = turns || reach.turns;
         cuts += reach.cuts;
@@ -325,13 +347,41 @@ Prepared prepare(const StockSolid& stock, std::span<const VerifyProgram> program
                     "no motion at feed comes near the stock",
                     "check the units and the origin of the program");
     p.used = completed(settings, stock, p.radii, turns);
+    if (!(settings.resolution > 0) && std::isfinite(settings.usual_rays_asked))
+        lighten(p.used, stock, programs, p.radii.narrowest);
     check_resolution(p.used.resolution, stock, p.radii);
     return p;
 }
 
-/// The stock, cut by all programs in order, and what `removal` has found meanwhile.
+/// Measured on reliefs, turned and five-axis parts; of a place for each program.
+constexpr double seconds_a_ray = 3.5e-7, seconds_a_place = 3.5e-5, seconds_a_place_turning = 6e-5;
+constexpr double bytes_a_place = 200;
+/// From here on whoever waits is told how long.
+constexpr double long_seconds = 60;
+
+VerifyWork work_of(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
+                   const VerifySettings& used) {
+    VerifyWork work;
+    work.rays_asked = removal_of(programs, used).rays_asked(stock.box, used.resolution);
+    double area = 0, seconds_each = 0;
+    for (std::size_t f = 0; f < part.facet_count(); ++f)
+        area += 0.5 * part.facet_cross(f).norm();
+    work.places = std::min(double(used.max_samples), 2 * area / (used.sample_spacing * used.sample_spacing));
+    for (const VerifyProgram& program : programs) {
+        const auto& motions = program.motions->motions;
+        const bool turns = std::any_of(motions.begin(), motions.end(),
+                                       [&](const Motion& m) { return m.to.axis != motions.front().to.axis; });
+        seconds_each += turns ? seconds_a_place_turning : seconds_a_place;
+    }
+    const double rays = StockLattice::rays_over(stock.box, used.resolution);
+    work.bytes = rays * sizeof(RayTile::Piece) + work.places * bytes_a_place;
+    work.seconds = (work.rays_asked * seconds_a_ray + work.places * seconds_each) / thread_count();
+    return work;
+}
+
+/// The stock, cut by all programs in order; with `watch`, `removal` knows what it has found meanwhile.
 std::shared_ptr<const StockModel> cut_all(const StockSolid& stock, std::span<const VerifyProgram> programs,
-                                          const VerifySettings& used, MaterialRemoval& removal,
+                                          const VerifySettings& used, MaterialRemoval& removal, bool watch,
                                           const Progress& progress) {
     const StockLattice lattice = StockLattice::over(stock.box, used.resolution);
     const double all_rays = double(lattice.rays() * sizeof(RayTile::Piece));
@@ -340,14 +390,10 @@ std::shared_ptr<const StockModel> cut_all(const StockSolid& stock, std::span<con
     if (all_rays > 0.9 * double(used.max_stock_bytes))
         check_memory(double(removal.bytes_needed(*model, progress.part(0.1, 0.1))), used);
     for (std::size_t i = 0; i < programs.size(); ++i)
-        removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, true,
+        removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, watch,
                     progress.part(0.1 + 0.9 * double(i) / double(programs.size()),
                                   0.1 + 0.9 * double(i + 1) / double(programs.size())));
     return model;
-}
-
-MaterialRemoval removal_of(std::span<const VerifyProgram> programs, const VerifySettings& used) {
-    return {programs, used.motion_bound, touch_share * used.resolution, used.max_stock_bytes};
 }
 
 } // namespace
@@ -357,7 +403,7 @@ std::shared_ptr<const StockModel> stock_after(const StockSolid& stock,
                                               const VerifySettings& settings, const Progress& progress) {
     const Prepared prepared = prepare(stock, programs, settings, progress);
     MaterialRemoval removal = removal_of(programs, prepared.used);
-    return cut_all(stock, programs, prepared.used, removal, progress);
+    return cut_all(stock, programs, prepared.used, removal, false, progress);
 }
 
 Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
@@ -365,9 +411,14 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     const Prepared prepared = prepare(stock, programs, settings, progress);
     Verification v;
     v.used = prepared.used;
+    const VerifyWork work = work_of(part, stock, programs, v.used);
+    if (settings.before_work) settings.before_work(work);
+    const std::string long_work =
+        work.seconds > long_seconds ? " (about " + duration_text(work.seconds) + " in all)" : "";
     auto start = std::chrono::steady_clock::now();
     MaterialRemoval removal = removal_of(programs, v.used);
-    v.stock = cut_all(stock, programs, v.used, removal, progress.part(0.0, 0.6, "Removing material"));
+    v.stock = cut_all(stock, programs, v.used, removal, true,
+                      progress.part(0.0, 0.6, "Removing material" + long_work));
     v.collisions = removal.collisions();
     for (std::size_t i = 0; i < programs.size(); ++i)
         v.program_air.push_back(removal.air_length(i));

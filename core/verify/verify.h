@@ -21,12 +21,21 @@
 #include "core/verify/stock_model.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace facetmill {
+
+/// How much a verification does, estimated before it begins: orders of magnitude.
+struct VerifyWork {
+    double rays_asked = 0; ///< MaterialRemoval::rays_asked
+    double places = 0;     ///< of the part, compared
+    double bytes = 0;      ///< of the stock's rays and the places, at most
+    double seconds = 0;    ///< with as many threads as loops use
+};
 
 /// What is asked of the judge. Lengths in mm.
 struct VerifySettings {
@@ -46,7 +55,12 @@ struct VerifySettings {
     bool look_for_pieces = false; ///< whether what is left of the stock is several pieces, see loose_pieces.h
     double allowance = 0;         ///< what is to be made is the part grown by this along its normals
     std::size_t usual_rays = 30'000'000;
+    /// Coarser as well where cutting would ask rays more often (MaterialRemoval::rays_asked), down to an
+    /// eighth of the narrowest cutter's radius.
+    double usual_rays_asked = infinity;
     std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
+    /// Told how much is to be done before anything is; what it throws, `verify` throws.
+    std::function<void(const VerifyWork&)> before_work = nullptr;
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
     std::size_t max_stock_bytes = 2'500'000'000;
 };

@@ -131,6 +131,51 @@ private slots:
         }
     }
 
+    void work_is_told_before_it_begins() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        const VerifyProgram program = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        std::vector<VerifyWork> told;
+        VerifySettings s = asked();
+        s.before_work = [&](const VerifyWork& work) { told.push_back(work); };
+        for (const double resolution : {0.4, 0.2}) {
+            s.resolution = s.sample_spacing = resolution;
+            const Verification v = judged(part, stock, program, s);
+            // Of orders of magnitude: the places are those that are compared.
+            QVERIFY(told.back().places > 0.3 * double(v.figures.samples));
+            QVERIFY(told.back().places < 10 * double(v.figures.samples));
+        }
+        // Four times as many rays and places.
+        QCOMPARE(told.size(), std::size_t(2));
+        QVERIFY(std::abs(told[1].rays_asked / told[0].rays_asked - 4) < 1e-6);
+        QVERIFY(std::abs(told[1].places / told[0].places - 4) < 1e-6);
+        QVERIFY(told[1].seconds > told[0].seconds && told[1].seconds < 60);
+        QVERIFY(told[1].bytes > told[0].bytes);
+        s.before_work = [](const VerifyWork&) { throw Error(ErrorCode::limit_exceeded, "work", "", ""); };
+        QCOMPARE(code_of([&] { judged(part, stock, program, s); }), "limit_exceeded");
+    }
+
+    /// A stock that is cut for those who plan on it is coarser where cutting it would take long, and what is
+    /// left is the same to its spacing.
+    void what_is_left_is_known_more_coarsely_where_that_takes_long() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        const VerifyProgram program = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        VerifySettings s = asked();
+        s.resolution = 0;
+        const auto fine = stock_after(stock, {&program, 1}, s, Progress());
+        QVERIFY(std::abs(fine->lattice().spacing.maxCoeff() - 0.2) < 0.02);
+        s.usual_rays_asked = 1000;
+        const auto coarse = stock_after(stock, {&program, 1}, s, Progress());
+        QVERIFY(std::abs(coarse->lattice().spacing.maxCoeff() - 0.5) < 0.05); // an eighth of the radius
+        QVERIFY(std::abs(coarse->volume() - fine->volume()) < 0.01 * fine->volume());
+        s.resolution = 0.2; // what is asked for stays
+        QVERIFY(std::abs(stock_after(stock, {&program, 1}, s, Progress())->lattice().spacing.maxCoeff() - 0.2)
+                < 0.02);
+    }
+
     /// A channel half a millimetre deep over the rim of a block is a gouge of that depth: how long a probe on
     /// its wall runs along it says nothing.
     void depth_is_penetration() {
