@@ -204,6 +204,7 @@ std::vector<std::size_t> connected_pieces(const Mesh& mesh, std::span<const Inde
         return i;
     };
     std::unordered_map<std::uint64_t, std::size_t> first;
+    first.reserve(3 * facets.size() / 2);
     for (std::size_t i = 0; i < facets.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             const Facet& f = mesh.facets[facets[i]];

@@ -16,7 +16,7 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t max_facets = 4'000'000;
-constexpr std::size_t vertices_per_block = 2000;
+constexpr std::size_t vertices_per_block = 2000, places_per_block = 64;
 /// Edges of the fine mesh, as a share of the spacing; nearer to a vertex than a share of an edge nothing is
 /// cut.
 constexpr double edge_share = 0.5, inset_share = 0.03;
@@ -192,15 +192,17 @@ private:
     void find_level() {
         level_ = in_.spacing;
         const PointGrid vertices(fine_.mesh.vertices, in_.spacing);
-        for (const auto& u : uncut_) {
-            double inside = infinity;
-            for (double reach = in_.spacing; inside == infinity && reach <= far_; reach *= 2)
+        std::vector<double> inside(uncut_.size(), infinity);
+        parallel_for(uncut_.size(), places_per_block, progress_.part(0.7, 0.8), [&](std::size_t i) {
+            const UncutPlace& u = uncut_[i];
+            for (double reach = in_.spacing; inside[i] == infinity && reach <= far_; reach *= 2)
                 vertices.near(u.point, reach, [&](std::size_t v) {
                     if (nearest_[v] == no_index || towards(Index(v)).dot(u.normal) < 0) return;
-                    inside = std::min(inside, field_[v] + (vertices.points()[v] - u.point).norm());
+                    inside[i] = std::min(inside[i], field_[v] + (vertices.points()[v] - u.point).norm());
                 });
-            if (inside < infinity) level_ = std::max(level_, inside);
-        }
+        });
+        for (const double deep : inside)
+            if (deep < infinity) level_ = std::max(level_, deep);
         // Edges of the fine mesh are taken as straight.
         level_ = std::min(level_ * (1 + 1e-9), far_ - in_.spacing - in_.offset);
     }
@@ -259,18 +261,18 @@ private:
                     piece_of.push_back(i);
                 }
         const PointGrid grid(std::move(corners), in_.spacing);
-        for (const auto& u : uncut_) {
+        p.of_uncut.assign(uncut_.size(), 0);
+        parallel_for(uncut_.size(), places_per_block, progress_.part(0.8, 1), [&](std::size_t n) {
+            const UncutPlace& u = uncut_[n];
             double least = infinity;
-            std::size_t piece = 0;
             for (double reach = in_.spacing; least == infinity && reach <= far_; reach *= 2)
                 grid.near(u.point, reach, [&](std::size_t i) {
                     const double square = (grid.points()[i] - u.point).squaredNorm();
                     if (normals[i].dot(u.normal) < 0 || !(square < least)) return;
                     least = square;
-                    piece = piece_of[i];
+                    p.of_uncut[n] = piece_of[i];
                 });
-            p.of_uncut.push_back(piece);
-        }
+        });
         return p;
     }
 
