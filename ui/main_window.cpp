@@ -4,6 +4,7 @@
 #include "ui/controllers.h"
 #include "ui/cspace_controller.h"
 #include "ui/cspace_panel.h"
+#include "ui/dropped_files.h"
 #include "ui/inspection_controller.h"
 #include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
@@ -371,18 +372,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const auto urls = event->mimeData()->urls();
     if (QApplication::activeModalWidget()) return; // a question is open
-    if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+    if (!local_files(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const auto urls = event->mimeData()->urls();
-    if (urls.isEmpty() || !urls.front().isLocalFile() || QApplication::activeModalWidget()) return;
+    const QStringList paths = local_files(*event->mimeData());
+    if (paths.isEmpty() || QApplication::activeModalWidget()) return;
     event->acceptProposedAction();
     // The source of the drag waits for this event: questions come after it.
-    const QString path = urls.front().toLocalFile();
-    QTimer::singleShot(0, this, [this, path] { open_file(path); });
+    QTimer::singleShot(0, this, [this, paths] { files_->open_dropped(paths); });
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

@@ -7,6 +7,7 @@
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "ui/autosave.h"
+#include "ui/dropped_files.h"
 #include "ui/export.h"
 #include "ui/messages.h"
 #include "ui/part_dialog.h"
@@ -23,10 +24,6 @@
 namespace facetmill::ui {
 
 namespace {
-
-bool is_project(const std::filesystem::path& path) {
-    return path_text(path.extension()).compare(QStringLiteral(".facetmill"), Qt::CaseInsensitive) == 0;
-}
 
 /// The document's name without the ending that it has once it is saved.
 QString unended_name(const Document& document) {
@@ -110,10 +107,10 @@ void ProjectFiles::open_with_dialog() {
 }
 
 void ProjectFiles::open_program_with_dialog() {
-    const QStringList files =
-        QFileDialog::getOpenFileNames(window_, tr("Open program"), settings::last_folder(),
-                                      tr("%1 programs (*%2 *.cl *.cls *.ncl);;All files (*)")
-                                          .arg(text(apt_writer().label), text(apt_writer().extension)));
+    const QStringList files = QFileDialog::getOpenFileNames(
+        window_, tr("Open program"), settings::last_folder(),
+        tr("%1 programs (*%2);;All files (*)")
+            .arg(text(apt_writer().label), program_endings().join(QStringLiteral(" *"))));
     if (!files.isEmpty()) open_program(files);
 }
 
@@ -170,12 +167,19 @@ void ProjectFiles::open(const QString& path, std::optional<LengthUnit> unit) {
     const QFileInfo info(path);
     settings::set_last_folder(info.absolutePath());
     const std::filesystem::path absolute = path_of(info.absoluteFilePath());
-    if (is_project(absolute) && is_packed(absolute))
+    if (is_project_file(path) && is_packed(absolute))
         open_packed(absolute);
-    else if (is_project(absolute))
+    else if (is_project_file(path))
         open_project(absolute);
     else
         open_mesh(absolute, unit);
+}
+
+void ProjectFiles::open_dropped(const QStringList& paths) {
+    const DroppedFiles dropped = sort_dropped(paths, document_.has_part());
+    if (!dropped.refusal.isEmpty()) return messages_.warning(dropped.refusal);
+    if (!dropped.programs.isEmpty()) return open_program(dropped.programs);
+    open(dropped.open);
 }
 
 void ProjectFiles::open_project(const std::filesystem::path& path) {

@@ -33,6 +33,8 @@ public:
     /// Opens a project or a mesh, after asking what to do with unsaved changes. `unit` answers the question
     /// in which unit a mesh is; without it the user is asked.
     void open(const QString& path, std::optional<LengthUnit> unit = std::nullopt);
+    /// Opens what was dropped, or says why not.
+    void open_dropped(const QStringList& paths);
     /// Shows a project as one that is not saved; `name` calls it while it has no path.
     void restore(Project project, const QString& name);
     void new_from_sample(const std::string& name);

@@ -3,6 +3,7 @@
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/dropped_files.h"
 #include "ui/part_dialog.h"
 #include "ui/playback_controller.h"
 #include "ui/project_files.h"
@@ -132,6 +133,53 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().has_part());
         QCOMPARE(ui::settings::recent_files().value(0), path);
+        // What is no part says so, and what is shown stays; no question is asked about it.
+        const auto drop_files = [&](const QStringList& paths) {
+            QMimeData files;
+            QList<QUrl> urls;
+            for (const QString& file : paths)
+                urls << QUrl::fromLocalFile(file);
+            files.setUrls(urls);
+            QDragEnterEvent entering(at, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(&w(), &entering);
+            QVERIFY(entering.isAccepted());
+            QDropEvent dropping(at, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+            w().message_bar().dismiss();
+            QApplication::sendEvent(&w(), &dropping);
+            QTRY_VERIFY(!w().message_bar().message().isEmpty());
+            QVERIFY(wait_until_settled(w()));
+        };
+        const QString folder = QFileInfo(path).path(), picture = folder + QStringLiteral("/photo.png");
+        QVERIFY(w().viewport().grab().save(picture));
+        const auto* part = w().document().part().get();
+        drop_files({picture});
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("“photo.png” is a picture")));
+        shot(w(), QStringLiteral("window-dropped-picture"));
+        drop_files({folder});
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("is a folder")));
+        drop_files({path, write_mesh(folder, QStringLiteral("other.stl"))});
+        QVERIFY(
+            w().message_bar().message().contains(QStringLiteral("“other.stl”; there is one part at a time")));
+        QCOMPARE(w().document().part().get(), part);
+        QVERIFY(!w().last_failure().size());
+        // A program is shown over the part, as by the menu; without a part it waits for one.
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        action(w(), "sample_convex")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        w().exports().save_programs(folder);
+        QVERIFY(wait_until_settled(w()));
+        const QStringList programs = QDir(folder).entryList({QStringLiteral("*.apt")});
+        QVERIFY2(!programs.isEmpty(), qPrintable(w().message_bar().message()));
+        drop_files({folder + QLatin1Char('/') + programs.front()});
+        QVERIFY(w().document().program());
+        const ui::DroppedFiles waits = ui::sort_dropped({programs.front()}, false);
+        QVERIFY(waits.programs.isEmpty() && waits.open.isEmpty()
+                && waits.refusal.contains(QStringLiteral("open the project")));
+        QCOMPARE(ui::sort_dropped({QStringLiteral("a.stl"), QStringLiteral("a.facetmill")}, true).open,
+                 QStringLiteral("a.facetmill"));
         QMimeData text;
         text.setText(QStringLiteral("no file"));
         QDragEnterEvent refused(at, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
