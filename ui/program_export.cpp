@@ -6,6 +6,7 @@
 #include "core/job/setup_sheet.h"
 #include "core/output/apt.h"
 #include "ui/export.h"
+#include "ui/export_dialog.h"
 #include "ui/messages.h"
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
@@ -14,11 +15,11 @@
 #include "ui/viewport.h"
 
 #include <QBuffer>
-#include <QDir>
-#include <QFileDialog>
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUrl>
 
 #include <functional>
 
@@ -36,37 +37,35 @@ void ProgramExport::programs_with_dialog() {
         return;
     }
     if (!may_export()) return;
-    const QString folder =
-        QFileDialog::getExistingDirectory(window_, tr("Export programs into"), settings::last_folder());
-    if (folder.isEmpty()) return;
-    QStringList mine{QLatin1Char('*') + text(apt_writer().extension), QStringLiteral("report.json")};
+    const auto plan = document_.complete_plan();
+    const Project& project = document_.project();
+    QStringList files, endings{text(apt_writer().extension)};
+    for (std::size_t i = 0; i < plan->operations.size(); ++i)
+        files << text(program_file_name(project, *plan, i));
+    files << QStringLiteral("report.json");
     try {
-        const Project& project = document_.project();
         if (const std::string& post = project.programs.post; !post.empty())
-            mine << QLatin1Char('*') + text(project_post(project, post).extension);
+            endings << text(project_post(project, post).extension);
     } catch (const Error&) {
         // A post that cannot be read is told when the programs are written.
     }
-    const QStringList there = QDir(folder).entryList(mine, QDir::Files);
-    if (!there.isEmpty()
-        && QMessageBox::question(
-               window_, tr("Replace files?"),
-               tr("The folder holds %1 and %n more. Programs of the same name are replaced.", nullptr,
-                  int(there.size()) - 1)
-                   .arg(elided(there.front(), 40)),
-               QMessageBox::Ok | QMessageBox::Cancel)
-               != QMessageBox::Ok)
-        return;
-    settings::set_last_folder(folder);
-    save_programs(folder);
+    auto* dialog = new ExportDialog(settings::last_folder(), files, endings, window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        settings::set_last_folder(dialog->folder());
+        save_programs(dialog->folder());
+    });
+    dialog->open();
 }
 
 bool ProgramExport::may_export() {
     const QString doubt = verification_.doubt();
     if (doubt.isEmpty()) return true;
     const Verdict verdict = verification_.model().verdict();
-    QMessageBox box(QMessageBox::Warning, tr("Export unverified programs?"), doubt, QMessageBox::Cancel,
-                    window_);
+    QMessageBox box(QMessageBox::Warning,
+                    verdict == Verdict::failed ? tr("Export programs that failed?")
+                                               : tr("Export unverified programs?"),
+                    doubt, QMessageBox::Cancel, window_);
     box.setInformativeText(verdict == Verdict::failed
                                ? tr("Running these programs can damage part, tool and machine.")
                                : tr("Verify first (F6), or export programs that nobody has checked."));
@@ -117,6 +116,8 @@ void ProgramExport::save_programs(const QString& folder) {
                 messages_.show(wrote);
             else
                 messages_.warning(wrote + QChar(' ') + doubt);
+            const QUrl place = QUrl::fromLocalFile(path_text(written->front().parent_path()));
+            messages_.offer({tr("Open folder"), [place] { QDesktopServices::openUrl(place); }});
         });
 }
 

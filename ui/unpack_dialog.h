@@ -1,34 +1,24 @@
 // Packed projects are unpacked before they are opened: asks into which folder.
 #pragma once
 
-#include <QDialog>
+#include "ui/folder_dialog.h"
 
 #include <filesystem>
 
-class QLabel;
-class QLineEdit;
-class QPushButton;
-
 namespace facetmill::ui {
 
-class UnpackDialog : public QDialog {
+/// The folder is one that is not there yet, or is empty.
+class UnpackDialog : public FolderDialog {
     Q_OBJECT
 public:
     /// Suggests a new folder beside the file that is called like it.
     explicit UnpackDialog(const std::filesystem::path& packed, QWidget* parent = nullptr);
 
-    /// The folder's absolute path; one that is not there yet, or is empty.
-    QString folder() const;
-
 private:
-    void browse();
-    /// Says why a folder will not do; the dialog cannot be accepted then.
-    void judge();
+    QString trouble() const override;
+    QString browsed() override;
 
     std::filesystem::path packed_;
-    QLineEdit* folder_ = nullptr;
-    QLabel* trouble_ = nullptr;
-    QPushButton* unpack_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -17,6 +17,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -443,6 +444,55 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote 2 file")));
         QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
+    }
+
+    /// Into the folder that is typed, which need not be there, and not into the one above it.
+    void programs_go_where_the_dialog_says() {
+        QVERIFY(open_and_plan() && verify());
+        const QString folder = scratch_folder(QStringLiteral("where"));
+        const auto dialog = [&]() -> QDialog* {
+            for (auto* one : w().findChildren<QDialog*>(QStringLiteral("export_dialog")))
+                if (one->isVisible()) return one;
+            return nullptr;
+        };
+        const auto said = [&] {
+            return dialog()->findChild<QLabel*>(QStringLiteral("export_trouble"))->text();
+        };
+        action(w(), "export")->trigger();
+        QVERIFY(dialog());
+        auto* line = dialog()->findChild<QLineEdit*>(QStringLiteral("export_folder"));
+        auto* button = dialog()->findChild<QPushButton*>(QStringLiteral("export"));
+        line->setText(QStringLiteral("typed"));
+        QVERIFY(!button->isEnabled() && said().contains(QStringLiteral("whole path")));
+        line->selectAll();
+        QTest::keyClicks(line, folder + QStringLiteral("/job/typed"));
+        QCOMPARE(said(), QStringLiteral("The folder is made."));
+        shot(w(), QStringLiteral("window-export"));
+        shot(*dialog(), QStringLiteral("dialog-export"));
+        QTest::keyClick(line, Qt::Key_Return);
+        QVERIFY(wait_until_settled(w()));
+        QTRY_VERIFY(!dialog());
+        QCOMPARE(QDir(folder + QStringLiteral("/job/typed")).entryList(QDir::Files).size(), 2);
+        QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot),
+                 QStringList(QStringLiteral("job")));
+        QVERIFY(w().message_bar().message().contains(folder + QStringLiteral("/job/typed")));
+        auto* open = w().message_bar().findChild<QPushButton*>();
+        QVERIFY(open && open->isVisible() && open->text() == QStringLiteral("Open folder"));
+
+        // What is there is told, and which of it is replaced.
+        QVERIFY(QFile::copy(folder + QStringLiteral("/job/typed/01-Finish.apt"),
+                            folder + QStringLiteral("/job/typed/09-Old.apt")));
+        action(w(), "export")->trigger();
+        QVERIFY(dialog());
+        QCOMPARE(dialog()->findChild<QLineEdit*>(QStringLiteral("export_folder"))->text(),
+                 folder + QStringLiteral("/job/typed"));
+        QCOMPARE(
+            said(),
+            QStringLiteral("Replaced there: 01-Finish.apt, report.json. Of earlier jobs there: 09-Old.apt."));
+        dialog()->resize(560, 200);
+        shot(*dialog(), QStringLiteral("dialog-export-over"));
+        dialog()->reject();
+        QVERIFY(wait_until_settled(w()));
     }
 
     /// With a control the posted program is judged and exported, and what is found lies in the plan's
