@@ -1,6 +1,5 @@
 #include "ui/dropped_files.h"
 
-#include "core/base/text.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/apt.h"
 #include "ui/text.h"

@@ -1,5 +1,6 @@
 #include "core/job/work_estimate.h"
 
+#include "core/mesh/mesh_area.h"
 #include "core/strategy/lathe/lathe.h"
 #include "core/strategy/plan/budget.h"
 
@@ -41,13 +42,6 @@ double number_or(const Operation& operation, const char* key, double otherwise) 
     const ParameterValue value = operation.get(key);
     const auto* number = std::get_if<double>(&value);
     return number ? *number : otherwise;
-}
-
-double area_of(const Mesh& mesh) {
-    double sum = 0;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f)
-        sum += 0.5 * mesh.facet_cross(f).norm();
-    return sum;
 }
 
 /// Nodes of the grid of postures that is asked at every point.
@@ -137,14 +131,14 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
             e.points = points_of_layers(*operation, project, part, cutter);
             e.seconds = e.points * seconds_roughing;
         } else if (!operation->has("stepover")) { // clean-up: passes beside valleys
-            e.points = cleanup_share * area_of(*part.mesh) / (step * along);
+            e.points = cleanup_share * mesh_area(*part.mesh) / (step * along);
             e.seconds = e.points * seconds_cleaning_up;
         } else if (operation->three_axis()) {
             const Vec3 size = part.box.size();
             e.points = size.x() * size.y() / (step * along);
             e.seconds = e.points * seconds_upright;
         } else {
-            const double area = area_of(*part.mesh);
+            const double area = mesh_area(*part.mesh);
             e.points = area / (step * along);
             e.seconds = e.points * postures_of(*operation) * seconds_a_posture;
             if (number_or(*operation, "stepover", 0) == 0)
@@ -161,7 +155,7 @@ WorkEstimate estimate_of(const VerifyWork& work) {
 }
 
 double estimate_places(const PreparedPart& part, double spacing) {
-    return 2 * area_of(*part.mesh) / (spacing * spacing);
+    return 2 * mesh_area(*part.mesh) / (spacing * spacing);
 }
 
 } // namespace facetmill

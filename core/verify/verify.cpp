@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/mesh/mesh_area.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_distance.h"
 #include "core/verify/deviation.h"
@@ -363,10 +364,9 @@ VerifyWork work_of(const Mesh& part, const StockSolid& stock, std::span<const Ve
                    const VerifySettings& used) {
     VerifyWork work;
     work.rays_asked = removal_of(programs, used).rays_asked(stock.box, used.resolution);
-    double area = 0, seconds_each = 0;
-    for (std::size_t f = 0; f < part.facet_count(); ++f)
-        area += 0.5 * part.facet_cross(f).norm();
-    work.places = std::min(double(used.max_samples), 2 * area / (used.sample_spacing * used.sample_spacing));
+    double seconds_each = 0;
+    work.places =
+        std::min(double(used.max_samples), 2 * mesh_area(part) / (used.sample_spacing * used.sample_spacing));
     for (const VerifyProgram& program : programs) {
         const auto& motions = program.motions->motions;
         const bool turns = std::any_of(motions.begin(), motions.end(),

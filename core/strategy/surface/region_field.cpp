@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/mesh_area.h"
 #include "core/strategy/surface/point_grid.h"
 #include "core/strategy/surface/up_side.h"
 
@@ -27,13 +28,6 @@ constexpr double drag_reach = 4, min_drag_reach = 3;
 
 Vec3 vec(const std::array<double, 3>& p) {
     return {p[0], p[1], p[2]};
-}
-
-double mesh_area(const Mesh& mesh) {
-    double sum = 0;
-    for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-        sum += 0.5 * mesh.facet_cross(f).norm();
-    return sum;
 }
 
 /// (1 - t^2)^2 inside of 1.
