@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -214,11 +215,11 @@ void assign_pairs(const ReworkRegions& regions, std::vector<BoundaryPair>& pairs
         BoundaryPair& pair = pairs[i];
         double least = infinity;
         tree.nearest(pair.in, least, [&](std::size_t k) {
-            for (const Vec3& c : *facets[k])
-                if (const double square = (c - pair.in).squaredNorm(); square < least) {
-                    least = square;
-                    pair.region = region_of[k];
-                }
+            const auto& [a, b, c] = *facets[k];
+            if (const double square = squared_distance(pair.in, a, b, c); square < least) {
+                least = square;
+                pair.region = region_of[k];
+            }
         });
         if (!pair.regular) continue;
         const auto [at, is_new] = outermost.try_emplace({pair.region, pair.trajectory}, i, i);

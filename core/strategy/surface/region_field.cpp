@@ -3,7 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/index_pair.h"
 #include "core/mesh/mesh_area.h"
+#include "core/mesh/triangle_distance.h"
 #include "core/strategy/surface/point_grid.h"
 #include "core/strategy/surface/up_side.h"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 namespace facetmill {
 
@@ -74,12 +77,12 @@ public:
 
     ReworkRegions run() {
         take_surface();
-        result_.part_area = mesh_area(fine_.mesh);
+        result_.part_area = mesh_area(surface_.mesh);
         if (uncut_.empty()) {
-            std::vector<Index> all(fine_.mesh.facets.size());
+            std::vector<Index> all(surface_.mesh.facets.size());
             for (std::size_t f = 0; f < all.size(); ++f)
                 all[f] = Index(f);
-            result_.outside = fine_.piece(all);
+            result_.outside = surface_.piece(all);
             return std::move(result_);
         }
         double max_grow = 0;
@@ -112,64 +115,68 @@ private:
                 facets.push_back(Index(f));
         PartOfMesh taken = part_of(part, facets);
         for (const Index v : taken.vertex_of) {
-            fine_.normals.push_back(in_.geometry->vertex_normals[v]);
-            fine_.curvatures.push_back((*in_.curvatures)[v]);
+            surface_.normals.push_back(in_.geometry->vertex_normals[v]);
+            surface_.curvatures.push_back((*in_.curvatures)[v]);
         }
-        fine_.mesh = std::move(taken.mesh);
+        surface_.mesh = std::move(taken.mesh);
+    }
+
+    /// Whether a facet may come nearer to uncut places than the field goes.
+    bool is_near(const std::array<Vec3, 3>& p) const {
+        const Vec3 middle = (p[0] + p[1] + p[2]) / 3;
+        double reach = 0;
+        for (const Vec3& c : p)
+            reach = std::max(reach, (c - middle).norm());
+        reach += far_;
+        bool found = false;
+        tree_.each([&](const Box3& box) { return !found && squared_distance(box, middle) <= reach * reach; },
+                   [&](std::size_t) { found = true; });
+        return found;
     }
 
     void refine() {
-        const auto wanted = [&](const std::array<Vec3, 3>& p) {
-            const Vec3 middle = (p[0] + p[1] + p[2]) / 3;
-            double reach = 0;
-            for (const Vec3& c : p)
-                reach = std::max(reach, (c - middle).norm());
-            reach += far_;
-            bool found = false;
-            tree_.each(
-                [&](const Box3& box) { return !found && squared_distance(box, middle) <= reach * reach; },
-                [&](std::size_t) { found = true; });
-            return found;
-        };
-        fine_ = fine_.derived(
-            refined(fine_.mesh, wanted, edge_share * in_.spacing, max_facets, progress_.part(0, 0.3)));
+        DerivedMesh d = refined(
+            surface_.mesh, [this](const std::array<Vec3, 3>& p) { return is_near(p); },
+            edge_share * in_.spacing, max_facets, progress_.part(0, 0.3));
+        normals_ = carried_normals(d, surface_.normals);
+        for (std::size_t i = 0; i < d.added.size(); ++i)
+            middle_of_.emplace(pair_of(d.added[i].a, d.added[i].b), Index(d.kept + i));
+        fine_ = std::move(d.mesh);
     }
 
-    Vec3 towards(Index v) const { return up_.towards_tool(fine_.normals[v]); }
+    Vec3 towards(Index v) const { return up_.towards_tool(normals_[v]); }
 
     void measure() {
-        const std::size_t n = fine_.mesh.vertices.size();
+        const std::size_t n = fine_.vertices.size();
         field_.assign(n, far_);
         nearest_.assign(n, no_index);
-        parallel_blocks(
-            n, vertices_per_block, progress_.part(0.3, 0.7), [&](std::size_t begin, std::size_t end) {
-                for (std::size_t v = begin; v < end; ++v) {
-                    const Vec3 &p = fine_.mesh.vertices[v], normal = towards(Index(v));
-                    double least = far_ * far_;
-                    tree_.each([&](const Box3& box) { return squared_distance(box, p) <= least; },
-                               [&](std::size_t i) {
-                                   // The other side of a thin wall is another surface.
-                                   if (uncut_[i].normal.dot(normal) < 0) return;
-                                   const double square = (uncut_[i].point - p).squaredNorm();
-                                   if (square < least || (square == least && Index(i) < nearest_[v])) {
-                                       least = square;
-                                       nearest_[v] = Index(i);
-                                   }
-                               });
-                    field_[v] = std::sqrt(least);
-                }
-            });
+        parallel_blocks(n, vertices_per_block, progress_.part(0.3, 0.7),
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t v = begin; v < end; ++v) {
+                                const Vec3 &p = fine_.vertices[v], normal = towards(Index(v));
+                                double least = far_ * far_;
+                                tree_.nearest(p, least, [&](std::size_t i) {
+                                    // The other side of a thin wall is another surface.
+                                    if (uncut_[i].normal.dot(normal) < 0) return;
+                                    const double square = (uncut_[i].point - p).squaredNorm();
+                                    if (!(square < least)) return;
+                                    least = square;
+                                    nearest_[v] = Index(i);
+                                });
+                                field_[v] = std::sqrt(least);
+                            }
+                        });
     }
 
     void smooth() {
-        const std::size_t n = fine_.mesh.vertices.size();
+        const std::size_t n = fine_.vertices.size();
         std::vector<double> sum(n);
         std::vector<int> count(n);
         for (int round = 0; round < smoothing_rounds; ++round) {
             progress_.check();
             std::fill(sum.begin(), sum.end(), 0);
             std::fill(count.begin(), count.end(), 0);
-            for (const Facet& f : fine_.mesh.facets)
+            for (const Facet& f : fine_.facets)
                 for (std::size_t k = 0; k < 3; ++k) {
                     const Index a = f[k], b = f[(k + 1) % 3];
                     sum[a] += field_[b];
@@ -185,11 +192,15 @@ private:
     /// The level that closes gaps between trajectories and has every uncut place inside.
     void find_level() {
         level_ = in_.spacing;
-        const PointGrid vertices(fine_.mesh.vertices, in_.spacing);
+        const PointGrid vertices(fine_.vertices, in_.spacing);
         std::vector<double> inside(uncut_.size(), infinity);
         parallel_for(uncut_.size(), places_per_block, progress_.part(0.7, 0.8), [&](std::size_t i) {
             const UncutPlace& u = uncut_[i];
-            for (double reach = in_.spacing; inside[i] == infinity && reach <= far_; reach *= 2)
+            // Deeper than the spacing it raises the level, else nobody has to know how much less it is.
+            for (double reach = edge_share * in_.spacing;
+                 !(inside[i] <= in_.spacing) && (inside[i] == infinity || reach <= in_.spacing)
+                 && reach <= far_;
+                 reach *= 2)
                 vertices.near(u.point, reach, [&](std::size_t v) {
                     if (nearest_[v] == no_index || towards(Index(v)).dot(u.normal) < 0) return;
                     inside[i] = std::min(inside[i], field_[v] + (vertices.points()[v] - u.point).norm());
@@ -207,15 +218,75 @@ private:
         return std::abs(value) < least ? -least : value;
     }
 
+    /// The surface divided along a level of the field. Only where the level passes need facets be as small as
+    /// those of the fine mesh; elsewhere they are as large as the part's, so that a part many cutters wide
+    /// does not become millions of them. Vertices are those of the fine mesh: halving edges of the same
+    /// facets makes the same ones.
+    struct Cut {
+        Known known;
+        std::vector<bool> inside;
+    };
+    Cut cut(std::vector<double> value) const {
+        for (double& v : value)
+            v = kept_off(v);
+        std::vector<Box3> passed;
+        for (std::size_t f = 0; f < fine_.facets.size(); ++f) {
+            const Facet& at = fine_.facets[f];
+            const bool in = value[at[0]] < 0;
+            if (in == (value[at[1]] < 0) && in == (value[at[2]] < 0)) continue;
+            passed.emplace_back();
+            for (int k = 0; k < 3; ++k)
+                passed.back().add(fine_.corner(f, k));
+        }
+        const BoxTree tree(passed, progress_);
+        const auto wanted = [&](const std::array<Vec3, 3>& p) {
+            Box3 own;
+            for (const Vec3& c : p)
+                own.add(c);
+            bool found = false;
+            tree.each(
+                [&](const Box3& box) {
+                    return !found && (box.lo.array() <= own.hi.array()).all()
+                           && (own.lo.array() <= box.hi.array()).all();
+                },
+                [&](std::size_t) { found = true; });
+            return found && is_near(p);
+        };
+        DerivedMesh d =
+            refined(surface_.mesh, wanted, edge_share * in_.spacing, max_facets, progress_.part(0.8, 0.8));
+        std::vector<Index> fine_number(d.kept + d.added.size(), no_index);
+        std::vector<double> own(fine_number.size());
+        for (std::size_t v = 0; v < own.size(); ++v) {
+            if (v < d.kept) {
+                fine_number[v] = Index(v);
+                own[v] = value[v];
+                continue;
+            }
+            const Between& added = d.added[v - d.kept];
+            const Index a = fine_number[added.a], b = fine_number[added.b];
+            // A large facet whose neighbours were divided earlier may have edges of its own: no level is
+            // near.
+            own[v] = 0.5 * (own[added.a] + own[added.b]);
+            if (a == no_index || b == no_index) continue;
+            const auto found = middle_of_.find(pair_of(a, b));
+            if (found == middle_of_.end()) continue;
+            fine_number[v] = found->second;
+            own[v] = value[found->second];
+        }
+        const Known coarse = surface_.derived(std::move(d));
+        DividedMesh parted = divided(coarse.mesh, own);
+        return {coarse.derived(std::move(parted.derived)), std::move(parted.inside)};
+    }
+
     void cut_outside() {
         std::vector<double> value(field_.size());
         for (std::size_t v = 0; v < value.size(); ++v)
-            value[v] = kept_off(field_[v] - level_);
-        DividedMesh cut = divided(fine_.mesh, value);
+            value[v] = field_[v] - level_;
+        const Cut parted = cut(std::move(value));
         std::vector<Index> outside;
-        for (std::size_t f = 0; f < cut.inside.size(); ++f)
-            if (!cut.inside[f]) outside.push_back(Index(f));
-        result_.outside = fine_.derived(std::move(cut.derived)).piece(outside);
+        for (std::size_t f = 0; f < parted.inside.size(); ++f)
+            if (!parted.inside[f]) outside.push_back(Index(f));
+        result_.outside = parted.known.piece(outside);
         result_.uncut_area = result_.part_area - mesh_area(*result_.outside.mesh);
     }
 
@@ -228,44 +299,38 @@ private:
     Pieces pieces(const std::vector<double>& out) const {
         std::vector<double> value(field_.size());
         for (std::size_t v = 0; v < value.size(); ++v)
-            value[v] = kept_off(field_[v] - level_ - out[v]);
-        DividedMesh cut = divided(fine_.mesh, value);
+            value[v] = field_[v] - level_ - out[v];
+        Cut parted = cut(std::move(value));
         std::vector<Index> inside;
-        for (std::size_t f = 0; f < cut.inside.size(); ++f)
-            if (cut.inside[f]) inside.push_back(Index(f));
+        for (std::size_t f = 0; f < parted.inside.size(); ++f)
+            if (parted.inside[f]) inside.push_back(Index(f));
         Pieces p;
-        p.known = fine_.derived(std::move(cut.derived));
+        p.known = std::move(parted.known);
+        const Mesh& mesh = p.known.mesh;
         std::size_t count = 0;
-        const auto number = connected_pieces(p.known.mesh, inside, count);
+        const auto number = connected_pieces(mesh, inside, count);
         p.facets.resize(count);
-        for (std::size_t i = 0; i < inside.size(); ++i)
+        std::vector<Box3> boxes(inside.size());
+        for (std::size_t i = 0; i < inside.size(); ++i) {
             p.facets[number[i]].push_back(inside[i]);
-        // An uncut place belongs to the piece with the nearest corner.
-        std::vector<Vec3> corners;
-        std::vector<std::size_t> piece_of;
-        std::vector<Vec3> normals;
-        std::vector<bool> seen(p.known.mesh.vertices.size(), false);
-        for (std::size_t i = 0; i < count; ++i)
-            for (const Index f : p.facets[i])
-                for (const Index v : p.known.mesh.facets[f]) {
-                    if (seen[v]) continue;
-                    seen[v] = true;
-                    corners.push_back(p.known.mesh.vertices[v]);
-                    normals.push_back(up_.towards_tool(p.known.normals[v]));
-                    piece_of.push_back(i);
-                }
-        const PointGrid grid(std::move(corners), in_.spacing);
+            for (int k = 0; k < 3; ++k)
+                boxes[i].add(mesh.corner(inside[i], k));
+        }
+        // An uncut place belongs to the piece with the nearest facet.
+        const BoxTree tree(boxes, progress_);
         p.of_uncut.assign(uncut_.size(), 0);
         parallel_for(uncut_.size(), places_per_block, progress_.part(0.8, 1), [&](std::size_t n) {
             const UncutPlace& u = uncut_[n];
-            double least = infinity;
-            for (double reach = in_.spacing; least == infinity && reach <= far_; reach *= 2)
-                grid.near(u.point, reach, [&](std::size_t i) {
-                    const double square = (grid.points()[i] - u.point).squaredNorm();
-                    if (normals[i].dot(u.normal) < 0 || !(square < least)) return;
-                    least = square;
-                    p.of_uncut[n] = piece_of[i];
-                });
+            double near2 = infinity;
+            tree.nearest(u.point, near2, [&](std::size_t i) {
+                const Index f = inside[i];
+                if (up_.towards_tool(mesh.facet_normal(f)).dot(u.normal) < 0) return;
+                const double square =
+                    squared_distance(u.point, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
+                if (!(square < near2)) return;
+                near2 = square;
+                p.of_uncut[n] = number[i];
+            });
         });
         return p;
     }
@@ -298,7 +363,7 @@ private:
                 const Vec3 from = vec(d.from), to = vec(d.to);
                 const double length = (to - from).norm();
                 const double reach = std::max(drag_reach * length, min_drag_reach * in_.spacing);
-                const double share = bump((fine_.mesh.vertices[v] - from).norm() / reach);
+                const double share = bump((fine_.vertices[v] - from).norm() / reach);
                 if (!(share > 0) || !(length > 0)) continue;
                 // Outward where the place dragged to is farther from what is uncut.
                 const auto distance = [&](const Vec3& p) {
@@ -368,8 +433,11 @@ private:
     std::span<const UncutPlace> uncut_;
     const Progress& progress_;
     UpSide up_;
-    Known fine_;
-    BoxTree tree_; ///< of the uncut places
+    Known surface_;
+    BoxTree tree_;                                       ///< of the uncut places
+    Mesh fine_;                                          ///< the surface with short edges near them
+    std::vector<Vec3> normals_;                          ///< at its vertices
+    std::unordered_map<std::uint64_t, Index> middle_of_; ///< its vertex between two others
     double far_ = 0, level_ = 0;
     std::vector<double> field_;  ///< smoothed distance, per vertex; `far_` and more is one
     std::vector<Index> nearest_; ///< uncut place

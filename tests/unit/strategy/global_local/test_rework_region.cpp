@@ -1,6 +1,7 @@
 // Rework regions and what they are found from: motion directions, offsets, boundary points with known places,
 // regions of any shape that contain every uncut place.
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_area.h"
 #include "core/strategy/global_local/find_regions.h"
 #include "core/strategy/global_local/tool_advice.h"
 #include "tests/property/shapes.h"
@@ -126,6 +127,27 @@ private slots:
             forward += is_forward;
         }
         QVERIFY(forward > 400 && forward < 600);
+    }
+
+    /// The part's own facets stay where no boundary passes: small ones everywhere would be
+    /// a hundred thousand.
+    void facets_are_small_at_boundaries_only() {
+        const double spacing = 0.25, offset = 1;
+        const Mesh mesh = plain();
+        const ReworkRegions r =
+            found(input_of(mesh, spacing, offset), places(spacing, [](double x, double) { return x < 0; }));
+        QCOMPARE(r.regions.size(), std::size_t(1));
+        QVERIFY(r.within.mesh->facets.size() + r.outside.mesh->facets.size() < 8000);
+        // Nothing is lost, doubled or torn where large facets meet small ones.
+        QCOMPARE(r.regions[0].strip.boundaries.size(), std::size_t(1));
+        QCOMPARE(border_loops(*r.outside.mesh).size(), std::size_t(1));
+        const double length = std::hypot(1, 0.1), edge = 0.5 * spacing;
+        QVERIFY(std::abs(r.uncut_area + mesh_area(*r.outside.mesh) - r.part_area) < 1e-9 * r.part_area);
+        QVERIFY(std::abs(r.part_area - 40 * 30 * length) < 1e-9 * r.part_area);
+        // From the edge to the last places, and beyond them what closes gaps, and the offset.
+        const double cut = r.uncut_area / 30 - (20 - spacing) * length, wider = (r.area - r.uncut_area) / 30;
+        QVERIFY2(cut > 0.5 * spacing && cut < 1.5 * spacing, qPrintable(QString::number(cut)));
+        QVERIFY2(std::abs(wider - offset) < edge, qPrintable(QString::number(wider)));
     }
 
     /// (12)-(14): the polyline's length up to P_b is the offset.
