@@ -1,6 +1,7 @@
 #include "core/job/work_estimate.h"
 
 #include "core/mesh/mesh_area.h"
+#include "core/strategy/global_local/find_regions.h"
 #include "core/strategy/lathe/lathe.h"
 #include "core/strategy/plan/budget.h"
 
@@ -21,6 +22,10 @@ constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4;
 /// A node of a point's grid of postures, and a place at which strips are measured for an adaptive step-over:
 /// as many radii apart, and looked at for about as many planes before one is taken.
 constexpr double seconds_a_posture = 2e-6, seconds_a_strip = 3e-4, strip_radii = 0.25, planes_tried = 8;
+/// Global-local CM2 plans a main path and one of rework, each about as long as a finishing path, and looks
+/// for regions before and after the main path: on facets of a share of the squared distance of trajectories.
+constexpr double paths_a_round = 2, searches_a_round = 2, region_facet_share = 0.05,
+                 seconds_a_region_facet = 5e-6, max_region_facets = 4e6;
 /// Points of a layer of roughing for each radius of its lines: ends of lines, and borders.
 constexpr double points_a_radius = 0.3;
 /// Of the part's surface, what clean-up comes by.
@@ -54,6 +59,15 @@ double postures_of(const Operation& operation) {
         return (limits ? (*limits)[1] - (*limits)[0] : otherwise) / step + 1;
     };
     return nodes("lead_limits", radians(45)) * nodes("yaw_limits", radians(90));
+}
+
+/// What global-local CM2 takes where a finishing path of the same settings takes `finishing` seconds.
+double seconds_with_rework(const GlobalLocalSettings& settings, double finishing, const PreparedPart& part,
+                           double area, double radius) {
+    const double spacing = trajectory_spacing(part.box, radius);
+    const double facets = std::min(area / (region_facet_share * spacing * spacing), max_region_facets);
+    const double rounds = may_raise_lead_limit(settings) ? 2 : 1;
+    return rounds * (paths_a_round * finishing + searches_a_round * facets * seconds_a_region_facet);
 }
 
 /// Layers and lines as Lu's tolerance asks for them (rough_setup.h); the part's box stands for the stock.
@@ -143,6 +157,8 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
             e.seconds = e.points * postures_of(*operation) * seconds_a_posture;
             if (number_or(*operation, "stepover", 0) == 0)
                 e.seconds += area / (step * strip_radii * radius) * planes_tried * seconds_a_strip;
+            if (const GlobalLocalSettings* rework = operation->rework())
+                e.seconds = seconds_with_rework(*rework, e.seconds, part, area, radius);
         }
         e.bytes = e.points * bytes_per_point;
         all.push_back(std::move(e));

@@ -17,11 +17,6 @@ constexpr double usual_rework_share = 0.25;
 /// Motion of (10), (11) is judged along the machining direction only where the two go along by this.
 constexpr double along_share = 0.1;
 
-double spacing_of(const Box3& box, double radius) {
-    const Vec3 size = box.size();
-    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_study_contacts));
-}
-
 void check_regions(const RegionSource& source, const GlobalLocalSettings& settings, LengthUnit unit) {
     if (!(settings.lead_limit > 0))
         throw Error(ErrorCode::out_of_range, "lead_limit",
@@ -47,10 +42,15 @@ AssumedPath assumed_along(const PlanContext& context, Finish5Settings settings, 
     if (!(field.lines().lo() <= field.lines().hi()))
         throw Error(ErrorCode::empty_result, settings.name, "no drive plane meets the part",
                     "check part and direction");
-    return assume_path(field, spacing_of(context.part_box, field.radius()), progress.part(0.3, 1));
+    return assume_path(field, trajectory_spacing(context.part_box, field.radius()), progress.part(0.3, 1));
 }
 
 } // namespace
+
+double trajectory_spacing(const Box3& part, double radius) {
+    const Vec3 size = part.size();
+    return std::max(spacing_share * radius, std::sqrt(size.x() * size.y() / max_study_contacts));
+}
 
 std::string angle_text(double radians) {
     return format_number(degrees(radians), 3) + "°";

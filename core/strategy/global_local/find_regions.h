@@ -11,6 +11,10 @@
 
 namespace facetmill {
 
+/// Distance of the assumed path's trajectories, which regions are as exact as, mm. `radius`: the main
+/// cutter's.
+double trajectory_spacing(const Box3& part, double radius);
+
 /// The assumed previous path over the context's part. With the direction auto: along X or Y, whichever the
 /// estimate of main and rework time (tool_advice.h) prefers. A flat end's strips are wide where the part is
 /// flat or hollow across the travel, so that need not be the direction in which the surface turns least.

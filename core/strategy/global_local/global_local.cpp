@@ -402,14 +402,17 @@ const ParameterTable<GlobalLocalSettings>& global_local_parameters() {
     return table;
 }
 
+bool may_raise_lead_limit(const GlobalLocalSettings& s) {
+    return s.raise_lead_limit && s.rework_tool != 0 && s.lead_limit < s.assumed_lead_limit
+           && s.region_edits.empty() && s.boundary_drags.empty();
+}
+
 StrategyResult GlobalLocal::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
     check_rework_tool(settings_, context);
     const GlobalLocalSettings& s = settings_;
     const auto source = region_source(context, s, progress.part(0, 0.1, "Following the assumed path"));
-    // Without a rework tool it is not known what rework takes; edited regions are wanted.
-    const bool may_raise = s.raise_lead_limit && s.rework_tool != 0 && s.lead_limit < s.assumed_lead_limit
-                           && s.region_edits.empty() && s.boundary_drags.empty();
+    const bool may_raise = may_raise_lead_limit(s);
     StrategyResult capped =
         GlobalLocalPlanner(s, context, source, progress.part(0.1, may_raise ? 0.6 : 1)).run();
     if (!may_raise || rework_of(capped).regions.regions.empty()) return capped;

@@ -49,6 +49,10 @@ struct GlobalLocalSettings : Finish5Settings {
 
 const ParameterTable<GlobalLocalSettings>& global_local_parameters();
 
+/// Whether passes all over the part with leads up to the assumed limit are planned too. Not without a rework
+/// tool, as nobody knows what rework takes then, nor for regions that somebody has edited.
+bool may_raise_lead_limit(const GlobalLocalSettings& settings);
+
 class GlobalLocal : public OperationWith<GlobalLocalSettings, global_local_parameters> {
 public:
     using OperationWith::OperationWith;

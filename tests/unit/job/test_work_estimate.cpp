@@ -72,6 +72,17 @@ private slots:
             QVERIFY(e.points > 0 && e.bytes > e.points && e.text().find(" GB") != std::string::npos);
     }
 
+    void global_local_plans_more_than_one_path() {
+        const auto seconds = [](const std::string& operation) {
+            return estimate_plan(project_with(operation), plate(), "").at(0).seconds;
+        };
+        const double finishing = seconds(R"("kind": "finish5", "tolerance": 0.05)");
+        const double kept =
+            seconds(R"("kind": "global_local", "tolerance": 0.05, "raise_lead_limit": false)");
+        QVERIFY(kept > 2 * finishing);
+        QCOMPARE(seconds(R"("kind": "global_local", "tolerance": 0.05, "rework_tool": 1)"), 2 * kept);
+    }
+
     void places_follow_the_area() {
         QVERIFY(estimate_places(plate(), 1) > 5000 && estimate_places(plate(), 1) < 20000);
         QVERIFY(estimate_places(plate(), 1e-9) > 1e20);
