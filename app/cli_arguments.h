@@ -27,6 +27,7 @@ struct Command {
     std::string help;                  ///< more, for --help; may be empty
     std::vector<OptionInfo> options;
     std::function<void(const Arguments&, Session&)> run;
+    bool draws = false; ///< done by the program that has VTK (cli_pictures.h)
 
     /// "facetmill-cli drop PART --cutter SHAPE ... -o FILE".
     std::string usage() const;

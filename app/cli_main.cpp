@@ -1,6 +1,7 @@
 // facetmill-cli: Facetmill without a display. Results go to stdout, messages to stderr; see `usage_text` for
 // the exit status.
 #include "app/cli_commands.h"
+#include "app/cli_pictures.h"
 #include "app/cli_session.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -97,6 +98,7 @@ int run(const std::vector<std::string>& words) {
                 Session().print(c.help_text());
                 return done;
             }
+            if (c.draws) go_on_with_pictures(words);
             return run_command(c, rest);
         }
         const std::string near = nearest_name(first, names);

@@ -276,7 +276,8 @@ Command render_command() {
                     threads_option(),
                     large_option(),
                     {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
-        .run = run_render};
+        .run = run_render,
+        .draws = true};
 }
 
 } // namespace facetmill::cli

@@ -156,7 +156,8 @@ Command report_command() {
                     threads_option(),
                     large_option(),
                     {.name = "-o", .value = "FILE.html", .help = "the file to write", .required = true}},
-        .run = run_report};
+        .run = run_report,
+        .draws = true};
 }
 
 } // namespace facetmill::cli

@@ -8,6 +8,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -531,6 +532,43 @@ private slots:
         QCOMPARE(run.code(), QByteArray("unsupported_format"));
         QCOMPARE(s.files(), QStringList{"part.stl"});
 #endif
+    }
+
+    /// What draws is another program; where it is missing that is said, and all else goes on without it.
+    void the_program_that_draws_may_be_missing() {
+#ifndef FACETMILL_HAS_PICTURES
+        QSKIP("without pictures there is no such program");
+#endif
+        Sandbox s;
+        s.write("part.stl", small_part);
+        const QString moved = s.path() + QStringLiteral("/facetmill-cli");
+        QVERIFY(QFile::copy(QStringLiteral(FACETMILL_CLI), moved));
+        const auto status_of = [&](const QStringList& arguments, QByteArray& said) {
+            QProcess run;
+            run.setWorkingDirectory(s.path());
+            run.start(moved, arguments);
+            if (!run.waitForFinished(60'000)) return -1;
+            said = run.readAllStandardError();
+            return run.exitCode();
+        };
+        QByteArray said;
+        QCOMPARE(status_of({"render", "part.stl", "-o", "p.png"}, said), 1);
+        QVERIFY2(said.contains("[not_found] facetmill-pictures"), said);
+        QVERIFY(!QFile::exists(s.path() + "/p.png"));
+        QCOMPARE(status_of({"render", "--help"}, said), 0);
+        QCOMPARE(status_of({"info", "part.stl"}, said), 0);
+        // Installed, it stands in ../libexec/facetmill.
+        QVERIFY(QDir(s.path()).mkpath("bin") && QDir(s.path()).mkpath("libexec/facetmill"));
+        QVERIFY(QFile::rename(moved, s.path() + "/bin/facetmill-cli"));
+        const QString beside = QFileInfo(QStringLiteral(FACETMILL_CLI)).path() + "/facetmill-pictures";
+        QVERIFY(QFile::copy(beside, s.path() + "/libexec/facetmill/facetmill-pictures"));
+        QProcess run;
+        run.setWorkingDirectory(s.path());
+        run.start(s.path() + "/bin/facetmill-cli",
+                  {"render", "part.stl", "--size", "160x120", "-o", "p.png"});
+        QVERIFY(run.waitForFinished(60'000));
+        QCOMPARE(run.exitCode(), 0);
+        QVERIFY(QFile::exists(s.path() + "/p.png"));
     }
 
     void signals_leave_nothing_data() {
