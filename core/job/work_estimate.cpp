@@ -22,9 +22,10 @@ constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4;
 /// A node of a point's grid of postures, and a place at which strips are measured for an adaptive step-over:
 /// as many radii apart, and looked at for about as many planes before one is taken.
 constexpr double seconds_a_posture = 2e-6, seconds_a_strip = 3e-4, strip_radii = 0.25, planes_tried = 8;
-/// Global-local CM2 plans a main path and one of rework, each about as long as a finishing path, and looks
-/// for regions before and after the main path: on facets of a share of the squared distance of trajectories.
-constexpr double paths_a_round = 2, searches_a_round = 2, region_facet_share = 0.05,
+/// Global-local CM2 plans a main path, once more where that leaves too much, and a path of rework, each about
+/// as long as a finishing path or longer, and looks for regions before and after the main path: on facets of
+/// a share of the squared distance of trajectories.
+constexpr double paths_a_round = 4, searches_a_round = 2, region_facet_share = 0.05,
                  seconds_a_region_facet = 5e-6, max_region_facets = 4e6;
 /// Points of a layer of roughing for each radius of its lines: ends of lines, and borders.
 constexpr double points_a_radius = 0.3;
