@@ -41,18 +41,6 @@ QString wrong_with(const QString& path) {
     return {};
 }
 
-/// The first names, as a sentence has them.
-QString names_of(const QStringList& paths) {
-    constexpr qsizetype most = 3;
-    QStringList names;
-    for (qsizetype i = 0; i < std::min(most, paths.size()); ++i)
-        names << QStringLiteral("“%1”").arg(elided(QFileInfo(paths[i]).fileName(), 30));
-    if (paths.size() > most)
-        return QObject::tr("%1 and %2 more").arg(names.join(QStringLiteral(", "))).arg(paths.size() - most);
-    const QString last = names.takeLast();
-    return QObject::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
-}
-
 } // namespace
 
 QStringList local_files(const QMimeData& data) {
@@ -97,12 +85,15 @@ DroppedFiles sort_dropped(const QStringList& paths, bool has_part) {
         else
             others_are_meshes = others_are_meshes && is_mesh(path);
     }
+    QStringList names;
+    for (const QString& path : paths)
+        names << QStringLiteral("“%1”").arg(elided(QFileInfo(path).fileName(), 30));
     if (projects.size() == 1 && others_are_meshes)
         dropped.open = projects.front();
     else
         dropped.refusal = QObject::tr("Dropped were %1; there is one part at a time. Drop the part alone: "
                                       "stock and fixtures are chosen in the project.")
-                              .arg(names_of(paths));
+                              .arg(some_of(names));
     return dropped;
 }
 

@@ -8,22 +8,6 @@
 
 namespace facetmill::ui {
 
-namespace {
-
-/// The first names, and how many more there are.
-QString some_of(const QStringList& names) {
-    constexpr qsizetype most = 3;
-    QStringList shown;
-    for (const QString& name : names.mid(0, most))
-        shown << elided(name, 32);
-    const QString list = shown.join(QStringLiteral(", "));
-    return names.size() > most
-               ? ExportDialog::tr("%1 and %n more", nullptr, int(names.size() - most)).arg(list)
-               : list;
-}
-
-} // namespace
-
 ExportDialog::ExportDialog(const QString& start, QStringList files, const QStringList& endings,
                            QWidget* parent)
     : FolderDialog(QStringLiteral("export"), parent), files_(std::move(files)) {

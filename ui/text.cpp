@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh_format.h"
 
+#include <QObject>
 #include <QRegularExpression>
 
 #include <cmath>
@@ -77,6 +78,20 @@ QString elided(const QString& text, int characters) {
     if (text.size() <= characters) return text;
     const int left = (characters - 1) / 2, right = characters - 1 - left;
     return text.left(left) + QChar(0x2026) + text.right(right);
+}
+
+QString some_of(const QStringList& names) {
+    constexpr qsizetype most = 3;
+    QStringList shown;
+    for (const QString& name : names.mid(0, most))
+        shown << elided(name, 32);
+    QString last;
+    if (names.size() > most)
+        last = QObject::tr("%n more", nullptr, int(names.size() - most));
+    else if (names.size() > 1)
+        last = shown.takeLast();
+    const QString list = shown.join(QStringLiteral(", "));
+    return last.isEmpty() ? list : QObject::tr("%1 and %2").arg(list, last);
 }
 
 QString with_lengths_in(const QString& message, LengthUnit unit) {

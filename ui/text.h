@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <string>
@@ -41,6 +42,8 @@ QString duration_text(double seconds);
 QString percent_text(double share);
 /// `text` cut in the middle so that it has at most `characters` ones.
 QString elided(const QString& text, int characters);
+/// The first names as a sentence has them: "a", "a and b", "a, b, c and 4 more".
+QString some_of(const QStringList& names);
 /// Messages of core name lengths in millimetres ("1.5 mm"); the same message with them in the unit of the
 /// project.
 QString with_lengths_in(const QString& message, LengthUnit unit);

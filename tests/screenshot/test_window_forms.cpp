@@ -340,6 +340,16 @@ private slots:
                  QStringLiteral(
                      "the tip goes 1 in below -0.5 in at 100 mm/min in 5 mm² of T1.5 mm, 0.00003937 in"));
     }
+    void names_are_listed_as_a_sentence_has_them() {
+        QCOMPARE(ui::some_of({}), QString());
+        QCOMPARE(ui::some_of({"a"}), QStringLiteral("a"));
+        QCOMPARE(ui::some_of({"a", "b"}), QStringLiteral("a and b"));
+        QCOMPARE(ui::some_of({"a", "%1", "c"}), QStringLiteral("a, %1 and c"));
+        QCOMPARE(ui::some_of({"a", "b", "c", "d", "e"}), QStringLiteral("a, b, c and 2 more"));
+        const QString name = ui::some_of({QString(100, QLatin1Char('x'))});
+        QVERIFY(name.size() == 32 && name.contains(QChar(0x2026)));
+    }
+
     void durations_and_counts() {
         QCOMPARE(ui::duration_text(0.44), QStringLiteral("0.4 s"));
         QCOMPARE(ui::duration_text(9.96), QStringLiteral("10 s"));

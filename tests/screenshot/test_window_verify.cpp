@@ -486,9 +486,9 @@ private slots:
         QVERIFY(dialog());
         QCOMPARE(dialog()->findChild<QLineEdit*>(QStringLiteral("export_folder"))->text(),
                  folder + QStringLiteral("/job/typed"));
-        QCOMPARE(
-            said(),
-            QStringLiteral("Replaced there: 01-Finish.apt, report.json. Of earlier jobs there: 09-Old.apt."));
+        QCOMPARE(said(),
+                 QStringLiteral(
+                     "Replaced there: 01-Finish.apt and report.json. Of earlier jobs there: 09-Old.apt."));
         dialog()->resize(560, 200);
         shot(*dialog(), QStringLiteral("dialog-export-over"));
         dialog()->reject();
