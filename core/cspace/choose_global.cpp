@@ -119,33 +119,6 @@ private:
                + (n.after ? clock_.changing(v, *n.after) : 0);
     }
 
-    /// A stop by what it costs to come there, for a search of all of them: the cheapest first, so that it may
-    /// end early, and axes side by side, as most of them turn too far.
-    struct Costed {
-        double cost;
-        Vec3 axis;
-        std::uint32_t number;
-    };
-    static std::vector<Costed> by_cost(const std::vector<Stop>& stops, const std::vector<double>& cost) {
-        std::vector<Costed> sorted(stops.size());
-        for (std::size_t j = 0; j < stops.size(); ++j)
-            sorted[j] = {cost[j], stops[j].stand.pose.axis, std::uint32_t(j)};
-        std::sort(sorted.begin(), sorted.end(), [](const Costed& a, const Costed& b) {
-            return a.cost < b.cost || (a.cost == b.cost && a.number < b.number);
-        });
-        return sorted;
-    }
-    void look_at_all(const std::vector<Stop>& before, const std::vector<Costed>& sorted, const Stop& to,
-                     double cos_limit, const Neighbors& n, Link& best) const {
-        const Vec3& axis = to.stand.pose.axis;
-        for (const Costed& from : sorted) {
-            if (from.cost >= best.cost) return;
-            if (from.axis.dot(axis) < cos_limit) continue;
-            const double total = from.cost + move_cost(before[from.number].stand, to.stand, n);
-            if (total < best.cost) best = {total, from.number};
-        }
-    }
-
     void look(const std::vector<Stop>& before, const std::vector<double>& cost, std::uint32_t begin,
               std::uint32_t end, const Stop& to, double cos_limit, const Neighbors& n, Link& best) const {
         for (std::uint32_t j = begin; j < end; ++j) {
@@ -159,9 +132,8 @@ private:
     static constexpr std::size_t no_node = std::size_t(-1);
     /// From nodes near its own; should none of them serve, where one of the two is no node, or between
     /// passes, from all.
-    Link cheapest_link(const Stops& before, const std::vector<double>& cost,
-                       const std::vector<Costed>& sorted, const Stop& to, std::size_t node, double cos_limit,
-                       const Neighbors& n) const {
+    Link cheapest_link(const Stops& before, const std::vector<double>& cost, const Stop& to, std::size_t node,
+                       double cos_limit, const Neighbors& n) const {
         Link best;
         const auto& all = before.all;
         if (!before.first.empty() && node != no_node && cos_limit > -1) {
@@ -177,7 +149,7 @@ private:
                      cos_limit, n, best);
             }
         }
-        if (best.cost == infinity) look_at_all(all, sorted, to, cos_limit, n, best);
+        if (best.cost == infinity) look(all, cost, 0, std::uint32_t(all.size()), to, cos_limit, n, best);
         return best;
     }
 
@@ -193,8 +165,8 @@ private:
         for (std::size_t i = begin + 1; i < end; ++i) {
             progress.check();
             const Stops &before = stops[i - 1], &here = stops[i];
-            const std::vector<Costed> sorted = by_cost(before.all, cost);
-            const Link separated{sorted.front().cost + separation_seconds, sorted.front().number};
+            const auto least = std::min_element(cost.begin(), cost.end());
+            const Link separated{*least + separation_seconds, std::uint32_t(least - cost.begin())};
             next.assign(here.all.size(), infinity);
             from[i - begin].assign(here.all.size(), 0);
             // Between passes the axis may turn as far as it likes.
@@ -205,7 +177,7 @@ private:
                 if (i + 1 < end) neighbors.after = &speeds[i - begin + 1];
             }
             const auto link = [&](std::size_t k, std::size_t node) {
-                Link best = cheapest_link(before, cost, sorted, here.all[k], node, cos_limit, neighbors);
+                Link best = cheapest_link(before, cost, here.all[k], node, cos_limit, neighbors);
                 if (best.cost > separated.cost) best = separated;
                 next[k] = best.cost + here.all[k].own_cost;
                 from[i - begin][k] = best.from;
