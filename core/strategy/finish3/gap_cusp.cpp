@@ -50,6 +50,9 @@ GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b,
                  const Interval* within)
     : field_(field), in_(field.input()), a_(a), b_(b), v0_(a ? a->v : edge), v1_(b ? b->v : edge) {
     if (!(v1_ > v0_)) return;
+    // Places are looked at within, and no farther beside it than rounding.
+    const Interval near = within ? Interval{within->lo - in_.merge, within->hi + in_.merge} : Interval{};
+    const auto line_at = [&](double v) { return in_.domain->line(v, in_.merge, within ? &near : nullptr); };
     std::vector<Interval> all;
     for (int i = 0; i < rows; ++i) {
         v_[i] = v0_ + 0.25 * (i + 1) * (v1_ - v0_);
@@ -57,11 +60,11 @@ GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b,
         const double from_border = std::min(tolerance::border_inset, 0.01 * (v1_ - v0_));
         if (!a && i == 0) v_[i] = v0_ + from_border;
         if (!b && i == rows - 1) v_[i] = v1_ - from_border;
-        domain_[i] = in_.domain->line(v_[i], in_.merge);
+        domain_[i] = line_at(v_[i]);
         all.insert(all.end(), domain_[i].begin(), domain_[i].end());
     }
-    if (a) domain_a_ = in_.domain->line(a->v, in_.merge);
-    if (b) domain_b_ = in_.domain->line(b->v, in_.merge);
+    if (a) domain_a_ = line_at(a->v);
+    if (b) domain_b_ = line_at(b->v);
     place_columns(std::move(all), within);
 }
 

@@ -40,10 +40,11 @@ StepOver::StepOver(const StepOverInput& input) : in_(input), field_(input) {
 }
 
 std::vector<Interval> StepOver::ranges(double v, double back, double ahead, const Interval* within) const {
-    std::vector<Interval> all = in_.domain->strip(v - back, v + ahead, in_.merge);
-    if (!within) return all;
+    if (!within) return in_.domain->strip(v - back, v + ahead, in_.merge);
+    const Interval wide{within->lo - beyond(), within->hi + beyond()};
+    std::vector<Interval> all = in_.domain->strip(v - back, v + ahead, in_.merge, &wide);
     for (Interval& r : all)
-        r = {std::max(r.lo, within->lo - beyond()), std::min(r.hi, within->hi + beyond())};
+        r = {std::max(r.lo, wide.lo), std::min(r.hi, wide.hi)};
     std::erase_if(all, [](const Interval& r) { return !(r.lo <= r.hi); });
     return all;
 }

@@ -142,8 +142,7 @@ void to_hull(std::vector<Vec2>& points) {
 
 ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover,
                              double allowance, const Progress& progress)
-    : mesh_(mesh), frame_(frame), index_(
-                                      0, [](std::size_t) { return std::pair(1.0, 0.0); }, progress) {
+    : mesh_(mesh), frame_(frame) {
     const std::size_t n = mesh.facet_count();
     Fans fans(mesh, progress);
     for (std::size_t f = 0; f < n; ++f) {
@@ -159,8 +158,9 @@ ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const Cu
     }
     fans.join();
     find_outlines(fans, progress);
-    index_ = IntervalIndex(
-        n, [&](std::size_t f) { return v_range(f); }, progress);
+    std::vector<FlatBox> boxes(n);
+    parallel_for(n, facets_per_block, progress.part(0, 0), [&](std::size_t f) { boxes[f] = box_of(f); });
+    index_ = BoxRows(std::move(boxes), progress.part(0, 0));
 }
 
 void ContactDomain::find_outlines(const Fans& fans, const Progress& progress) {
@@ -187,41 +187,56 @@ void ContactDomain::find_outlines(const Fans& fans, const Progress& progress) {
     }
 }
 
-std::pair<double, double> ContactDomain::v_range(std::size_t facet) const {
-    std::pair<double, double> range(infinity, -infinity);
-    const double v = first_vertex(facet).y();
+FlatBox ContactDomain::box_of(std::size_t facet) const {
+    FlatBox box;
+    if (outline_start_[facet] == outline_start_[facet + 1]) return box;
+    const Vec2 first = first_vertex(facet);
     for (std::uint32_t i = outline_start_[facet]; i < outline_start_[facet + 1]; ++i) {
-        range.first = std::min(range.first, v + outlines_[i][1]);
-        range.second = std::max(range.second, v + outlines_[i][1]);
+        const double u = first.x() + outlines_[i][0], v = first.y() + outlines_[i][1];
+        box.u.add(u, u);
+        box.v.add(v, v);
     }
-    return range;
+    return box;
 }
 
-std::vector<Interval> ContactDomain::strip(double v0, double v1, double merge) const {
-    std::vector<Interval> all;
-    index_.visit(v0, v1, [&](std::size_t f) {
-        // Range of u of the outline within the strip: corners inside, and where the sides between them cross
-        // those of the strip.
-        const Vec2 first = first_vertex(f);
-        const double low = v0 - first.y(), high = v1 - first.y();
-        const Corner* begin = outlines_.data() + outline_start_[f];
-        const Corner* end = outlines_.data() + outline_start_[f + 1];
-        double lo = infinity, hi = -infinity;
-        const auto add = [&](double u) {
-            lo = std::min(lo, u);
-            hi = std::max(hi, u);
-        };
-        const Corner* a = end - 1;
-        for (const Corner* b = begin; b < end; a = b++) {
-            const double av = (*a)[1], bv = (*b)[1];
-            if (bv >= low && bv <= high) add((*b)[0]);
-            for (const double side : {low, high})
-                if ((av < side) != (bv < side))
-                    add((*a)[0] + ((*b)[0] - double((*a)[0])) * ((side - av) / (bv - av)));
-        }
-        if (lo <= hi) all.push_back({lo + first.x(), hi + first.x()});
+/// Range of u of a facet's outline within the strip: corners inside, and where the sides between them cross
+/// those of the strip. Empty (lo > hi) where they do not meet.
+Interval ContactDomain::clipped(std::size_t facet, double v0, double v1) const {
+    const Vec2 first = first_vertex(facet);
+    const double low = v0 - first.y(), high = v1 - first.y();
+    const Corner* begin = outlines_.data() + outline_start_[facet];
+    const Corner* end = outlines_.data() + outline_start_[facet + 1];
+    Interval range{infinity, -infinity};
+    const auto add = [&](double u) {
+        range.lo = std::min(range.lo, u);
+        range.hi = std::max(range.hi, u);
+    };
+    const Corner* a = end - 1;
+    for (const Corner* b = begin; b < end; a = b++) {
+        const double av = (*a)[1], bv = (*b)[1];
+        if (bv >= low && bv <= high) add((*b)[0]);
+        for (const double side : {low, high})
+            if ((av < side) != (bv < side))
+                add((*a)[0] + ((*b)[0] - double((*a)[0])) * ((side - av) / (bv - av)));
+    }
+    return {range.lo + first.x(), range.hi + first.x()};
+}
+
+std::vector<Interval> ContactDomain::strip(double v0, double v1, double merge, const Interval* within) const {
+    // What ends just outside may join what begins inside.
+    const double u0 = within ? within->lo - merge : -infinity, u1 = within ? within->hi + merge : infinity;
+    // Mostly a facet's range lies in that of those before it, or goes on from there.
+    std::vector<Interval> pieces;
+    index_.visit(v0, v1, u0, u1, [&](std::size_t f, const FlatBox& box) {
+        if (!pieces.empty() && box.u.lo >= pieces.back().lo && box.u.hi <= pieces.back().hi) return;
+        const Interval range = clipped(f, v0, v1);
+        if (!(range.lo <= range.hi)) return;
+        if (!pieces.empty() && range.lo <= pieces.back().hi + merge && range.hi >= pieces.back().lo - merge)
+            pieces.back() = {std::min(pieces.back().lo, range.lo), std::max(pieces.back().hi, range.hi)};
+        else
+            pieces.push_back(range);
     });
-    return joined(std::move(all), merge);
+    return joined(std::move(pieces), merge);
 }
 
 } // namespace facetmill

@@ -18,9 +18,9 @@
 //  blocks.
 #pragma once
 
+#include "core/strategy/surface/box_rows.h"
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/drive_frame.h"
-#include "core/strategy/surface/interval_index.h"
 
 #include "core/mesh/mesh.h"
 
@@ -51,9 +51,11 @@ public:
     std::size_t usable_facets() const { return usable_; }
 
     /// Ranges of u that the domain covers anywhere in the strip v0 <= v <= v1, in order, with gaps of at most
-    /// `merge` closed.
-    std::vector<Interval> strip(double v0, double v1, double merge) const;
-    std::vector<Interval> line(double v, double merge) const { return strip(v, v, merge); }
+    /// `merge` closed. With `within` they are only true there: what lies outside may be missing.
+    std::vector<Interval> strip(double v0, double v1, double merge, const Interval* within = nullptr) const;
+    std::vector<Interval> line(double v, double merge, const Interval* within = nullptr) const {
+        return strip(v, v, merge, within);
+    }
 
 private:
     class Fans;
@@ -64,7 +66,8 @@ private:
         return {frame_.u(p), frame_.v(p)};
     }
     void find_outlines(const Fans& fans, const Progress& progress);
-    std::pair<double, double> v_range(std::size_t facet) const;
+    FlatBox box_of(std::size_t facet) const;
+    Interval clipped(std::size_t facet, double v0, double v1) const;
 
     const Mesh& mesh_;
     DriveFrame frame_;
@@ -73,7 +76,7 @@ private:
     std::vector<Corner> outlines_;
     double lowest_tip_ = infinity;
     std::size_t usable_ = 0;
-    IntervalIndex index_;
+    BoxRows index_;
 };
 
 /// Joins overlapping intervals, and those at most `merge` apart; the result is sorted.

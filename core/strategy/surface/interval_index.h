@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/round_outward.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,15 +42,6 @@ private:
         const double b = std::floor((v - lo_) * per_width_);
         return b <= 0 ? 0 : std::min(std::size_t(std::min(b, 1e9)), buckets_ - 1);
     }
-    static float down(double v) {
-        const float f = float(v);
-        return double(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
-    }
-    static float up(double v) {
-        const float f = float(v);
-        return double(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-    }
-
     double lo_ = 0, hi_ = -1, per_width_ = 0;
     std::size_t buckets_ = 0;
     std::vector<Ends> ends_;
@@ -67,7 +59,7 @@ IntervalIndex::IntervalIndex(std::size_t n, const Interval& interval, const Prog
             ends_[i] = {1, 0};
             continue;
         }
-        ends_[i] = {down(e.first), up(e.second)};
+        ends_[i] = {rounded_down(e.first), rounded_up(e.second)};
         lo = std::min(lo, double(ends_[i].lo));
         hi = std::max(hi, double(ends_[i].hi));
         total += e.second - e.first;
