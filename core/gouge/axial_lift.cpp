@@ -173,13 +173,19 @@ bool AxialLift::is_above(double x, double y, double z, LiftHint& hint) const {
 }
 
 AxialContact AxialLift::contact(double x, double y) const {
+    LiftHint none;
+    return contact(x, y, none);
+}
+
+AxialContact AxialLift::contact(double x, double y, LiftHint& hint) const {
     AxialContact contact;
     if (!is_place(x, y)) {
         contact.tip_z = lift_nowhere(x, y);
         return contact;
     }
-    const AxialAnswer answer = search(index_->impl().view(), *surface_, x, y, no_slot);
+    const AxialAnswer answer = search(index_->impl().view(), *surface_, x, y, hint.slot_);
     if (answer.slot == no_slot) return contact;
+    hint.slot_ = answer.slot;
     const FacetBlock& block = index_->impl().blocks[answer.slot / block_width];
     const std::size_t lane = answer.slot % block_width;
     contact.tip_z = answer.tip + allowance_;

@@ -31,10 +31,10 @@ CuspField::CuspField(const StepOverInput& input)
       grid_(input.look.share * input.cover->radius()), level_(level_step_of(input)),
       sharp_(input.cover->profile().cutter().r < sharp_share * input.cover->radius()) {}
 
-CuspField::Sample CuspField::sample(double u, double v) const {
+CuspField::Sample CuspField::sample(double u, double v, LiftHint& hint) const {
     Sample s;
     const Vec2 xy = in_.frame.xy(u, v);
-    const AxialContact c = in_.lift->contact(xy.x(), xy.y());
+    const AxialContact c = in_.lift->contact(xy.x(), xy.y(), hint);
     s.tip_z = std::max(c.tip_z, in_.floor);
     if (!(c.tip_z >= in_.floor) || c.facet == no_index) return s;
     const Vec3 tip(xy.x(), xy.y(), c.tip_z);

@@ -45,7 +45,7 @@ public:
         double tip_z = 0;
         bool valid = false;
     };
-    Sample sample(double u, double v) const;
+    Sample sample(double u, double v, LiftHint& hint) const;
     /// Height along n over p, near u, that a line leaves; infinite without a line or where it does not come
     /// by.
     double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;

@@ -57,11 +57,20 @@ public:
 
 private:
     StepOverInput input_for(double direction, ContactDomain& domain) const;
-    void add_line(const PlannedLine& line, const Progress& progress);
+    /// A drive plane, and what it and the next one leave to partial lines.
+    struct Placed {
+        DriveLine line;
+        std::vector<Interval> left;
+    };
     void plan_parallel();
     void plan_constant(double step);
     void plan_adaptive();
+    std::vector<Placed> place_planes(const Progress& progress);
+    std::vector<PlannedLine> with_partial_lines(std::vector<Placed> planes, const Progress& progress);
+    void add_passes(const std::vector<PlannedLine>& lines, const Progress& progress);
+    std::vector<Pass> passes_of(const PlannedLine& line, const Progress& progress) const;
     void check_size(const StepOver& stepover) const;
+    void check_planes(std::size_t planes) const;
     void check_uncut(const Progress& progress);
     void leave_out_held_up(const Progress& progress);
     void leave_out_outside(const Progress& progress);
@@ -74,8 +83,9 @@ private:
         return [this](const Vec3& tip) { return contact_of(tip, lift_.contact(tip.x(), tip.y())); };
     }
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
-    /// Share of the whole plan that is done when this share of the drive planes is placed.
+    /// Share of the whole plan that is done when this share of the passes is made.
     static double placed(double share) { return 0.02 + 0.9 * share; }
+    Progress placing(double from, double to) const { return progress_.part(placed(from), placed(to)); }
 
     const Finish3Settings& settings_;
     const PlanContext& context_;
@@ -182,6 +192,13 @@ void Planner::check_size(const StepOver& stepover) const {
                 "check the part's units, or take a larger tool, tolerance or step-over");
 }
 
+void Planner::check_planes(std::size_t planes) const {
+    if (planes >= max_drive_planes)
+        throw Error(ErrorCode::limit_exceeded, "stepover",
+                    "the tolerance asks for more than " + std::to_string(max_drive_planes) + " drive planes",
+                    "allow a larger tolerance or set a step-over");
+}
+
 void Planner::plan_parallel() {
     if (settings_.stepover.is_number())
         plan_constant(settings_.stepover.number);
@@ -200,98 +217,124 @@ void Planner::plan_constant(double step) {
                     "choose a larger step-over");
     const double first = 0.5 * (lo + hi) - 0.5 * (planes - 1) * step;
     const double reach = StepOver::reach_share * step;
-    DriveLine last;
-    for (std::size_t i = 0; i < std::size_t(planes); ++i) {
-        const Progress here = still(placed(double(i) / planes));
-        const double v = first + double(i) * step;
-        DriveLine line = stepover_->line(v, reach, reach, nullptr, here);
-        result_.cusp_max = std::max(
-            result_.cusp_max, stepover_->worst_cusp(i == 0 ? nullptr : &last, &line, i == 0 ? lo : 0, here));
-        add_line({v, reach, reach, {}}, here);
-        last = std::move(line);
-        progress_.set(placed((double(i) + 1) / planes));
-    }
-    result_.cusp_max =
-        std::max(result_.cusp_max, stepover_->worst_cusp(&last, nullptr, hi, still(placed(1))));
+    std::vector<PlannedLine> planned;
+    for (double i = 0; i < planes; ++i)
+        planned.push_back({first + i * step, reach, reach, {}});
+    std::vector<DriveLine> lines(planned.size());
+    parallel_for(lines.size(), 1, placing(0, 0.3), [&](std::size_t i) {
+        lines[i] = stepover_->line(planned[i].v, reach, reach, nullptr, still(placed(0)));
+    });
+    // The gap before each line, and the one behind the last.
+    std::vector<double> cusps(lines.size() + 1);
+    parallel_for(cusps.size(), 1, placing(0.3, 0.6), [&](std::size_t i) {
+        const bool begins = i == 0, ends = i == lines.size();
+        cusps[i] = stepover_->worst_cusp(begins ? nullptr : &lines[i - 1], ends ? nullptr : &lines[i],
+                                         begins ? lo : hi, still(placed(0)));
+    });
+    result_.cusp_max = *std::max_element(cusps.begin(), cusps.end());
+    add_passes(planned, placing(0.6, 1));
     result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
 }
 
 void Planner::plan_adaptive() {
+    add_passes(with_partial_lines(place_planes(placing(0, 0.4)), placing(0.4, 0.8)), placing(0.8, 1));
+}
+
+/// One after the other: every line is as far from the one before as the cusps between them allow.
+std::vector<Planner::Placed> Planner::place_planes(const Progress& progress) {
     const double lo = domain_->lo(), hi = domain_->hi();
+    const Progress here = progress.part(0, 0);
+    std::vector<Placed> planes;
     result_.stepover_min = infinity;
-    PartialLines partial(*stepover_);
     double guess = stepover_->first_guess();
-    // A line is known in full when the step after it is: how far it reaches depends on both.
-    std::optional<DriveLine> last;
-    for (std::size_t i = 0;; ++i) {
-        const double at = last ? last->v : lo;
-        const Progress here = still(placed(hi > lo ? (at - lo) / (hi - lo) : 0));
+    for (;;) {
+        DriveLine* last = planes.empty() ? nullptr : &planes.back().line;
         if (last) {
             // Enough for the rest up to the border?
             const double rest = hi - last->v;
             double cusp = 0;
             if (rest > 0 && rest <= stepover_->largest_step()) {
                 if (last->ahead < rest) *last = stepover_->line(last->v, last->back, rest, nullptr, here);
-                cusp = stepover_->worst_cusp(&*last, nullptr, hi, here);
+                cusp = stepover_->worst_cusp(last, nullptr, hi, here);
             }
             if (rest <= 0 || (rest <= stepover_->largest_step() && cusp <= stepover_->allowed_cusp())) {
                 result_.cusp_max = std::max(result_.cusp_max, cusp);
-                add_line({last->v, last->back, std::max(rest, 0.0), {}}, here);
+                last->ahead = std::max(rest, 0.0);
                 break;
             }
         }
-        if (i + result_.passes.size() >= max_drive_planes)
-            throw Error(ErrorCode::limit_exceeded, "stepover",
-                        "the tolerance asks for more than " + std::to_string(max_drive_planes)
-                            + " drive planes",
-                        "allow a larger tolerance or set a step-over");
-        StepOver::Step step = stepover_->next({last ? &*last : nullptr, hi, nullptr, guess, true}, here);
+        check_planes(planes.size());
+        StepOver::Step step = stepover_->next({last, hi, nullptr, guess, true}, here);
         if (!step.satisfied) ++unsatisfied_;
         result_.cusp_max = std::max(result_.cusp_max, step.cusp);
-        const double width = step.line.v - at;
+        const double width = step.line.v - (last ? last->v : lo);
         if (last) {
             if (step.satisfied) guess = std::min(width, stepover_->largest_step());
             result_.stepover_min = std::min(result_.stepover_min, width);
             result_.stepover_max = std::max(result_.stepover_max, width);
             const double reach = StepOver::reach_share * width;
-            add_line({last->v, last->back, reach, {}}, here);
-            if (!step.left.empty()) {
-                if (last->ahead < reach) *last = stepover_->line(last->v, last->back, reach, nullptr, here);
-                partial.fill(*last, step.line, step.left, here);
-            }
-            for (const PlannedLine& line : partial.take())
-                add_line(line, here);
+            planes.back().left = std::move(step.left);
+            // How far a line reaches depends on both of its steps.
+            if (!planes.back().left.empty() && last->ahead < reach)
+                *last = stepover_->line(last->v, last->back, reach, nullptr, here);
+            last->ahead = reach;
         }
-        last = std::move(step.line);
-        progress_.set(placed(hi > lo ? (last->v - lo) / (hi - lo) : 1));
+        planes.push_back({std::move(step.line), {}});
+        progress.set(hi > lo ? (planes.back().line.v - lo) / (hi - lo) : 1);
     }
-    result_.cusp_max = std::max(result_.cusp_max, partial.cusp_max());
-    unsatisfied_ += partial.unsatisfied();
     if (result_.stepover_max == 0) result_.stepover_min = 0; // a single plane has no neighbour
+    return planes;
 }
 
-void Planner::add_line(const PlannedLine& line, const Progress& progress) {
-    const int drive = lines_++;
-    if (!line.within) ++result_.drive_planes;
+std::vector<PlannedLine> Planner::with_partial_lines(std::vector<Placed> planes, const Progress& progress) {
+    std::vector<PartialLines> partial(planes.size(), PartialLines(*stepover_));
+    parallel_for(planes.size() - 1, 1, progress, [&](std::size_t i) {
+        if (planes[i].left.empty()) return;
+        partial[i].fill(planes[i].line, planes[i + 1].line, planes[i].left, progress.part(0, 0));
+    });
+    std::vector<PlannedLine> lines;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const DriveLine& line = planes[i].line;
+        lines.push_back({line.v, line.back, line.ahead, {}});
+        const std::vector<PlannedLine> between = partial[i].take();
+        lines.insert(lines.end(), between.begin(), between.end());
+        result_.cusp_max = std::max(result_.cusp_max, partial[i].cusp_max());
+        unsatisfied_ += partial[i].unsatisfied();
+    }
+    check_planes(lines.size());
+    return lines;
+}
+
+void Planner::add_passes(const std::vector<PlannedLine>& lines, const Progress& progress) {
+    std::vector<std::vector<Pass>> passes(lines.size());
+    parallel_for(lines.size(), 1, progress,
+                 [&](std::size_t i) { passes[i] = passes_of(lines[i], progress.part(0, 0)); });
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const int drive = lines_++;
+        if (!lines[i].within) ++result_.drive_planes;
+        const bool back = settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1;
+        if (back) std::reverse(passes[i].begin(), passes[i].end());
+        for (Pass& p : passes[i]) {
+            p.drive = drive;
+            if (back) {
+                std::reverse(p.cc.begin(), p.cc.end());
+                std::reverse(p.cl.begin(), p.cl.end());
+            }
+            result_.passes.push_back(std::move(p));
+        }
+    }
+}
+
+std::vector<Pass> Planner::passes_of(const PlannedLine& line, const Progress& progress) const {
     std::vector<Pass> passes;
     const Interval* within = line.within ? &*line.within : nullptr;
     for (const Interval& range : stepover_->ranges(line.v, line.back, line.ahead, within)) {
         const auto points =
             lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
-        Pass pass = make_pass(thinned(points, fine_.below, fine_.above), line.v, progress);
-        pass.drive = drive;
-        pass.offset = line.v;
-        passes.push_back(std::move(pass));
+        passes.push_back(make_pass(thinned(points, fine_.below, fine_.above), line.v, progress));
+        passes.back().offset = line.v;
     }
-    if (settings_.pattern == Finish3Settings::Pattern::zigzag && drive % 2 == 1) {
-        std::reverse(passes.begin(), passes.end());
-        for (Pass& p : passes) {
-            std::reverse(p.cc.begin(), p.cc.end());
-            std::reverse(p.cl.begin(), p.cl.end());
-        }
-    }
-    for (Pass& p : passes)
-        result_.passes.push_back(std::move(p));
+    return passes;
 }
 
 CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) const {
@@ -304,37 +347,43 @@ CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) 
 }
 
 Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const {
-    const auto place = [&](const LinePoint& p, Pass& pass) {
+    struct Place {
+        LinePoint at;
+        CutterLocation cl;
+        CutterContact cc;
+    };
+    const auto placed_at = [&](const LinePoint& p, LiftHint& hint) {
         const Vec3 tip = frame_.point(p.s, v, p.z);
-        pass.cl.push_back({tip, Vec3(0, 0, 1)});
-        pass.cc.push_back(contact_of(tip, lift_.contact(tip.x(), tip.y())));
+        return Place{p, {tip, Vec3(0, 0, 1)}, contact_of(tip, lift_.contact(tip.x(), tip.y(), hint))};
     };
     const double cos_limit = std::cos(settings_.normal_limit), shortest = 0.25 * fine_.spacing;
-    // Between a and b (both placed elsewhere), more points while the normal turns too much.
-    const auto fill = [&](const auto& self, const LinePoint& a, const Vec3& na, const LinePoint& b,
-                          const Vec3& nb, Pass& pass) -> void {
-        if (na.dot(nb) >= cos_limit || b.s - a.s < 2 * shortest) return;
-        LinePoint mid{0.5 * (a.s + b.s), 0};
-        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along);
-        Pass middle;
-        place(mid, middle);
-        const Vec3 nm = middle.cc.front().normal;
-        self(self, a, na, mid, nm, pass);
-        pass.cl.push_back(middle.cl.front());
-        pass.cc.push_back(middle.cc.front());
-        self(self, mid, nm, b, nb, pass);
+    const auto add = [](const Place& p, Pass& pass) {
+        pass.cl.push_back(p.cl);
+        pass.cc.push_back(p.cc);
     };
-    constexpr std::size_t block = 16;
+    // Between a and b (both placed elsewhere), more points while the normal turns too much.
+    const auto fill = [&](const auto& self, const Place& a, const Place& b, LiftHint& hint,
+                          Pass& pass) -> void {
+        if (a.cc.normal.dot(b.cc.normal) >= cos_limit || b.at.s - a.at.s < 2 * shortest) return;
+        LinePoint mid{0.5 * (a.at.s + b.at.s), 0};
+        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along, hint);
+        const Place middle = placed_at(mid, hint);
+        self(self, a, middle, hint, pass);
+        add(middle, pass);
+        self(self, middle, b, hint, pass);
+    };
+    constexpr std::size_t block = 64;
     std::vector<Pass> parts((points.size() - 1) / block + 1);
     parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
         Pass& part = parts[begin / block];
+        LiftHint hint;
+        Place here = placed_at(points[begin], hint);
         for (std::size_t i = begin; i < end; ++i) {
-            place(points[i], part);
-            if (i + 1 == points.size()) continue;
-            Pass next;
-            place(points[i + 1], next);
-            const Vec3 normal = part.cc.back().normal; // `fill` moves what `part` holds
-            fill(fill, points[i], normal, points[i + 1], next.cc.front().normal, part);
+            add(here, part);
+            if (i + 1 == points.size()) break;
+            const Place next = placed_at(points[i + 1], hint);
+            fill(fill, here, next, hint, part);
+            here = next;
         }
     });
     Pass pass;

@@ -9,7 +9,7 @@ namespace facetmill {
 namespace {
 
 /// Columns that a thread takes at a time.
-constexpr std::size_t block_columns = 8;
+constexpr std::size_t block_columns = 16;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
 /// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
@@ -90,32 +90,33 @@ std::vector<CuspAt> GapCusp::along(const Progress& progress) const {
     if (!(v1_ > v0_)) return {};
     std::vector<CuspAt> found(columns_.size());
     parallel_blocks(columns_.size(), block_columns, progress, [&](std::size_t begin, std::size_t end) {
-        Ahead ahead;
+        Before before;
         for (std::size_t c = begin; c < end; ++c) {
             found[c].u = columns_[c].u;
-            look(c, ahead, found[c].cusp);
+            look(c, before, found[c].cusp);
         }
     });
     std::stable_sort(found.begin(), found.end(), [](const CuspAt& a, const CuspAt& b) { return a.u < b.u; });
     return found;
 }
 
-void GapCusp::look(std::size_t column, Ahead& ahead, double& worst) const {
+void GapCusp::look(std::size_t column, Before& before, double& worst) const {
     Found found;
     found.u = columns_[column].u;
-    if (!look_at_rows(found, column, ahead, worst)) return;
-    look_between_rows(found, worst);
+    if (!look_at_rows(found, column, before, worst)) return;
+    look_between_rows(found, before, worst);
     if (a_ && b_) look_at_ridges(found, worst);
-    look_at_walls(found, worst);
-    look_at_wall_ahead(found, column, ahead, worst);
+    look_at_walls(found, before, worst);
+    look_at_wall_ahead(found, column, before, worst);
 }
 
-bool GapCusp::look_at_rows(Found& found, std::size_t column, const Ahead& ahead, double& worst) const {
+bool GapCusp::look_at_rows(Found& found, std::size_t column, Before& before, double& worst) const {
     const double u = found.u;
     for (int i = 0; i < rows; ++i) {
         if (!inside(domain_[i], u, tolerance::contact_distance)) continue;
         Sample& s = found.s[i];
-        s = i == 1 && ahead.column == column ? ahead.sample : field_.sample(u, v_[i]);
+        s = i == 1 && before.column == column ? before.sample
+                                            : field_.sample(u, v_[i], before.hints[i]);
         if (!s.valid) continue;
         const double ta = entry(a_, u, s.point, s.normal);
         const double tb = entry(b_, u, s.point, s.normal);
@@ -132,23 +133,25 @@ bool GapCusp::look_at_rows(Found& found, std::size_t column, const Ahead& ahead,
 
 /// The contact jumps in a hollow hardly wider than the cutter, and stands still on a convex edge; then the
 /// surface lies between the outermost rows and the lines.
-void GapCusp::look_between_rows(const Found& found, double& worst) const {
+void GapCusp::look_between_rows(const Found& found, Before& before, double& worst) const {
     const double u = found.u;
     const auto& s = found.s;
-    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb) {
+    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb, LiftHint hint) {
         // A sharp rim's contact jumps from side to side on any hollow surface.
         if (worst > in_.cusp || (field_.sharp() && !found.still)) return;
         const double gap = (found.still ? in_.look.edge_gap : in_.look.jump_gap) * field_.level_step();
-        worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between));
+        worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between, hint));
     };
     for (int i = 0; i + 1 < rows; ++i)
-        look_between(v_[i], s[i], v_[i + 1], s[i + 1]);
+        look_between(v_[i], s[i], v_[i + 1], s[i + 1], before.hints[i]);
+    const auto at = [&](double v, LiftHint hint) { return field_.sample(u, v, hint); };
     // So it does where the contact jumps between them, and the line leaves more than on a flank.
     const auto beside_line = [&](double root) { return found.still || root * root > jump_share * in_.cusp; };
     if (a_ && beside_line(found.x[0]) && inside(domain_a_, u, tolerance::contact_distance))
-        look_between(v0_, field_.sample(u, v0_), v_[0], s[0]);
+        look_between(v0_, at(v0_, before.hints[0]), v_[0], s[0], before.hints[0]);
     if (b_ && beside_line(found.y[rows - 1]) && inside(domain_b_, u, tolerance::contact_distance))
-        look_between(v_[rows - 1], s[rows - 1], v1_, field_.sample(u, v1_));
+        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, before.hints[rows - 1]),
+                     before.hints[rows - 1]);
 }
 
 double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
@@ -180,51 +183,55 @@ void GapCusp::look_at_ridges(const Found& found, double& worst) const {
     worst = std::max(worst, ridge(found, x, y));
 }
 
-void GapCusp::look_at_walls(const Found& found, double& worst) const {
+void GapCusp::look_at_walls(const Found& found, Before& before, double& worst) const {
     const double u = found.u;
     const auto& s = found.s;
     for (int i = 0; i + 1 < rows; ++i)
         if (s[i].valid && s[i + 1].valid
             && std::abs(s[i].tip_z - s[i + 1].tip_z) > std::max(wall_slope * (v_[i + 1] - v_[i]), in_.cusp))
-            worst = std::max(worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z));
+            worst = std::max(worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z,
+                                          before.hints[i]));
     // Outermost rows against the lines themselves.
     const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line, int row) {
         if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
         const double z = field_.height_on(*line, u);
         if (std::abs(z - s[row].tip_z) > std::max(wall_slope * std::abs(v_[row] - line->v), in_.cusp))
-            worst = std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z));
+            worst = std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z,
+                                          before.hints[row]));
     };
     to_line(a_, domain_a_, 0);
     to_line(b_, domain_b_, rows - 1);
 }
 
 /// A wall across the passes, between this column and the next.
-void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Ahead& ahead, double& worst) const {
+void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Before& before,
+                                 double& worst) const {
     const Sample& s = found.s[1];
     if (!s.valid || !columns_[column].joins_next) return;
     const double next = columns_[column + 1].u;
     if (!inside(domain_[1], next, tolerance::contact_distance)) return;
-    ahead = {field_.sample(next, v_[1]), column + 1};
-    const double z = ahead.sample.valid ? ahead.sample.tip_z : in_.floor;
+    before.sample = field_.sample(next, v_[1], before.hints[1]);
+    before.column = column + 1;
+    const double z = before.sample.valid ? before.sample.tip_z : in_.floor;
     if (std::abs(z - s.tip_z) > std::max(wall_slope * (next - found.u), in_.cusp))
-        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z));
+        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z, before.hints[1]));
 }
 
-double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to) const {
+double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& hint) const {
     // Halve towards the middle height: on a steep wall this ends at a contact halfway down, at a jump on its
     // two sides.
     const double middle = 0.5 * (z_from + z_to), shortest = cusp_detail(in_.cusp);
     while ((to - from).norm() > shortest) {
         const Vec2 mid = 0.5 * (from + to);
         const Vec2 xy = in_.frame.xy(mid.x(), mid.y());
-        const double z = field_.lift().tip_z(xy);
+        const double z = field_.lift().tip_z(xy, hint);
         const bool with_from = (z > middle) == (z_from > middle);
         (with_from ? from : to) = mid;
         (with_from ? z_from : z_to) = z;
     }
     const bool from_high = z_from > z_to;
     const Vec2 high = from_high ? from : to;
-    Sample top = field_.sample(high.x(), high.y());
+    Sample top = field_.sample(high.x(), high.y(), hint);
     if (!top.valid) return 0;
     double worst = left_at(high.x(), top);
     if (std::abs(z_from - z_to) < wall_slope * shortest) return worst;
@@ -239,7 +246,7 @@ double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to) const {
 }
 
 double GapCusp::between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap,
-                        int depth) const {
+                        int depth, LiftHint& hint) const {
     if (!s0.valid || !s1.valid || !((s1.point - s0.point).norm() > gap)) return 0;
     if (depth == 0) {
         // Half-way at a jump: where both cutters leave the same, as far as the two places tell.
@@ -250,12 +257,12 @@ double GapCusp::between(double u, double v0, const Sample& s0, double v1, const 
         return field_.sharp() ? between : std::max(between, hollow(s0, s1, u, 0.5 * (v0 + v1)));
     }
     const double v = 0.5 * (v0 + v1);
-    const Sample s = field_.sample(u, v);
+    const Sample s = field_.sample(u, v, hint);
     if (!s.valid) return 0;
     const double worst = left_at(u, s);
     if (worst > in_.cusp) return worst;
     return std::max(
-        {worst, between(u, v0, s0, v, s, gap, depth - 1), between(u, v, s, v1, s1, gap, depth - 1)});
+        {worst, between(u, v0, s0, v, s, gap, depth - 1, hint), between(u, v, s, v1, s1, gap, depth - 1, hint)});
 }
 
 double GapCusp::hollow(const Sample& s0, const Sample& s1, double u, double v) const {

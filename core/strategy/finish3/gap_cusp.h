@@ -42,33 +42,35 @@ private:
         /// The contact stands still while the cutter rolls over a convex edge.
         bool still = false;
     };
-    /// The middle row of the next column, found while looking for walls.
-    struct Ahead {
+    /// What is known from the columns before.
+    struct Before {
+        /// The middle row of the next column, found while looking for walls.
         Sample sample;
         std::size_t column = no_index;
+        std::array<LiftHint, rows> hints;
     };
 
     void place_columns(std::vector<Interval> all, const Interval* within);
-    void look(std::size_t column, Ahead& ahead, double& worst) const;
+    void look(std::size_t column, Before& before, double& worst) const;
     /// False where a place is not cut at all.
-    bool look_at_rows(Found& found, std::size_t column, const Ahead& ahead, double& worst) const;
-    void look_between_rows(const Found& found, double& worst) const;
+    bool look_at_rows(Found& found, std::size_t column, Before& before, double& worst) const;
+    void look_between_rows(const Found& found, Before& before, double& worst) const;
     double ridge(const Found& found, const std::array<double, rows>& x,
                  const std::array<double, rows>& y) const;
     void look_at_ridges(const Found& found, double& worst) const;
-    void look_at_walls(const Found& found, double& worst) const;
-    void look_at_wall_ahead(const Found& found, std::size_t column, Ahead& ahead, double& worst) const;
+    void look_at_walls(const Found& found, Before& before, double& worst) const;
+    void look_at_wall_ahead(const Found& found, std::size_t column, Before& before, double& worst) const;
 
     /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
-    double between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap,
-                   int depth) const;
+    double between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap, int depth,
+                   LiftHint& hint) const;
     /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
     /// both: no tip touches there, but it would leave less.
     double hollow(const Sample& s0, const Sample& s1, double u, double v) const;
     /// What stays on a flank of a hollow, the contact on which is `s`; `inward` points to the other contact.
     double hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, double u, double v,
                         double beside) const;
-    double wall(Vec2 from, Vec2 to, double z_from, double z_to) const;
+    double wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& hint) const;
 
     double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
         return field_.entry(line, u, p, n);
