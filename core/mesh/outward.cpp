@@ -15,6 +15,8 @@ constexpr std::size_t steps_per_check = 8192;
 /// Rays from each side of a patch: so many that the vote of a patch whose sides differ is clear; for many
 /// patches fewer, so that all together take a second or two.
 constexpr std::size_t max_rays = 256, min_rays = 4;
+/// As many first: where they leave no doubt there are no more.
+constexpr std::size_t fewest_rays = 32;
 constexpr std::size_t rays_altogether = 1'000'000;
 /// One side is out where the other has at most this share of its rays that reach the open. A sheet is seen
 /// from both: from above a deep valley less than from below.
@@ -102,11 +104,22 @@ private:
     std::uint64_t state_;
 };
 
-OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays,
-                           double whole_area) {
-    Numbers numbers(patch.facets.front());
+/// How many rays from each side of a patch reach the open.
+struct Votes {
     std::size_t front = 0, back = 0;
-    for (std::size_t i = 0; i < rays; ++i) {
+    /// Few are enough where one side sees the open and the other hardly ever; where it is asked no more than
+    /// that, also where both do.
+    bool are_clear(bool which_more) const {
+        const std::size_t less = std::min(front, back), more = std::max(front, back);
+        if (front + back < fewest_rays / 2) return false;
+        return less * fewest_rays <= more || (!which_more && 2 * less >= more);
+    }
+};
+
+/// Adds so many rays of each side; none after the first that is free where only that is asked.
+void cast(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays, bool any,
+          Numbers& numbers, Votes& votes) {
+    for (std::size_t i = 0; i < rays && !(any && votes.front + votes.back > 0); ++i) {
         // By area: a point of the patch, and a direction off it with the cosine's weight.
         const double area = (double(i) + numbers.next()) / double(rays) * patch.areas.back();
         const auto at = std::upper_bound(patch.areas.begin(), patch.areas.end() - 1, area);
@@ -120,13 +133,23 @@ OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight
         const Vec3 x = n.unitOrthogonal(), y = n.cross(x);
         const Vec3 aside = off * (std::cos(turn) * x + std::sin(turn) * y);
         const Vec3 out = std::sqrt(std::max(0.0, 1 - off * off)) * n;
-        front += sight.is_free(p, aside + out);
-        back += sight.is_free(p, aside - out);
+        votes.front += sight.is_free(p, aside + out);
+        votes.back += sight.is_free(p, aside - out);
     }
-    if (front + back == 0) return OutwardSides::buried;
-    if (patch.closed) return patch.volume < 0 ? OutwardSides::reversed : OutwardSides::as_wound;
+}
+
+OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays,
+                           double whole_area) {
+    Numbers numbers(patch.facets.front());
+    Votes votes;
+    const std::size_t few = std::min(rays, fewest_rays);
+    cast(mesh, patch, sight, few, patch.closed, numbers, votes);
     const double area = patch.areas.back();
     const bool leans = std::abs(patch.up) > upright_share * area;
+    if (!votes.are_clear(!leans)) cast(mesh, patch, sight, rays - few, patch.closed, numbers, votes);
+    const auto [front, back] = votes;
+    if (front + back == 0) return OutwardSides::buried;
+    if (patch.closed) return patch.volume < 0 ? OutwardSides::reversed : OutwardSides::as_wound;
     // A cup that is most of the mesh may be a deep pocket or a vase: there only its winding can tell.
     const bool cup = area > 0.5 * whole_area && patch.up > cup_share * area;
     if (double(front) <= clear_vote * double(back))
