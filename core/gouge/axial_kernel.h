@@ -45,9 +45,12 @@ struct AxialPacket {
 
 /// Answers one query: one kernel for an axis along Z, one for any axis.
 using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
-/// Gives the tips over the places of a packet, the same bits as one query for each.
-using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&,
-                              double (&tips)[AxialPacket::max_places]);
+/// The answers for the places of a packet.
+struct AxialPacketAnswer {
+    double tips[AxialPacket::max_places];         ///< the same bits as one query for each
+    std::uint32_t slots[AxialPacket::max_places]; ///< a facet that each place's cutter touches, or no_slot
+};
+using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&, AxialPacketAnswer&);
 /// Gives the highest lift over a polyline of `count` points (x, y, z each), any axis. It reads of the query
 /// `place`, `frame`, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number
 /// of a segment); the answer's `slot` is the number of a segment. -inf and no_slot where no point is under
@@ -57,6 +60,7 @@ using CurveKernel = void (*)(const SurfaceTable&, const AxialQuery&, const doubl
 /// The kernels of one instruction set.
 struct AxialKernels {
     AxialKernel upright, tilted;
+    AxialKernel touch; ///< upright, over the facet `hint` alone
     PacketKernel packet;
     CurveKernel curve;
     int packet_places; ///< how many places a packet has room for

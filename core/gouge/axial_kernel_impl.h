@@ -342,6 +342,24 @@ void search(const IndexView& index, const SurfaceTable& surface, const AxialQuer
     }
 }
 
+/// The lift over one facet, and where it is touched.
+void touch(const IndexView& index, const SurfaceTable& surface, const AxialQuery& query,
+           AxialAnswer& answer) {
+    answer.tip = query.least;
+    answer.slot = no_slot;
+    FacetTest tested;
+    tested.set(index.blocks[query.hint / block_width], query.hint % block_width, query.place[0],
+               query.place[1], 0);
+    tested.max_lift[0] = __builtin_inf();
+    tested.fill(1);
+    tested.run(
+        surface, [&]() __attribute__((always_inline)) { return answer.tip; },
+        [&](const Lift4& lift, const int(&edge)[double_lanes]) __attribute__((always_inline)) {
+            if (!(lift.tip[0] > answer.tip)) return;
+            answer = {lift.tip[0], query.hint, edge[0], {lift.point.x[0], lift.point.y[0], lift.point.z[0]}};
+        });
+}
+
 } // namespace
 
 } // namespace facetmill::simd

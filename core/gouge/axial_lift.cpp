@@ -177,15 +177,8 @@ AxialContact AxialLift::contact(double x, double y) const {
     return contact(x, y, none);
 }
 
-AxialContact AxialLift::contact(double x, double y, LiftHint& hint) const {
+AxialContact AxialLift::contact_of(const AxialAnswer& answer, double x, double y) const {
     AxialContact contact;
-    if (!is_place(x, y)) {
-        contact.tip_z = lift_nowhere(x, y);
-        return contact;
-    }
-    const AxialAnswer answer = search(index_->impl().view(), *surface_, x, y, hint.slot_);
-    if (answer.slot == no_slot) return contact;
-    hint.slot_ = answer.slot;
     const FacetBlock& block = index_->impl().blocks[answer.slot / block_width];
     const std::size_t lane = answer.slot % block_width;
     contact.tip_z = answer.tip + allowance_;
@@ -200,10 +193,51 @@ AxialContact AxialLift::contact(double x, double y, LiftHint& hint) const {
     return contact;
 }
 
+AxialContact AxialLift::contact(double x, double y, LiftHint& hint) const {
+    AxialContact nothing;
+    nothing.tip_z = is_place(x, y) ? -infinity : lift_nowhere(x, y);
+    if (!is_place(x, y)) return nothing;
+    const AxialAnswer answer = search(index_->impl().view(), *surface_, x, y, hint.slot_);
+    if (answer.slot == no_slot) return nothing;
+    hint.slot_ = answer.slot;
+    return contact_of(answer, x, y);
+}
+
+namespace {
+
+void check_size(std::size_t points, std::size_t answers) {
+    if (points != answers)
+        throw Error(ErrorCode::internal, "AxialLift", "as many answers as points are needed", "report this");
+}
+
+} // namespace
+
 void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
                       const Progress& progress) const {
-    if (points.size() != heights.size())
-        throw Error(ErrorCode::internal, "AxialLift", "as many heights as points are needed", "report this");
+    check_size(points.size(), heights.size());
+    each_of(points, progress, [&](std::size_t i, double tip, std::uint32_t) { heights[i] = tip; });
+}
+
+void AxialLift::contact(std::span<const Vec2> points, std::span<AxialContact> contacts,
+                        const Progress& progress) const {
+    check_size(points.size(), contacts.size());
+    const IndexView view = index_->impl().view();
+    each_of(points, progress, [&](std::size_t i, double tip, std::uint32_t slot) {
+        contacts[i] = {};
+        contacts[i].tip_z = tip;
+        if (slot == no_slot) return;
+        AxialQuery query;
+        query.place[0] = points[i].x();
+        query.place[1] = points[i].y();
+        query.hint = slot;
+        AxialAnswer answer;
+        axial_kernels().touch(view, *surface_, query, answer);
+        contacts[i] = contact_of(answer, points[i].x(), points[i].y());
+    });
+}
+
+template <class Take>
+void AxialLift::each_of(std::span<const Vec2> points, const Progress& progress, const Take& take) const {
     // Large blocks, so that there is much to arrange; the last of them in quarters, so that all threads end
     // at about the same time.
     constexpr std::size_t fewest = 256, most = 16384, packets_per_cut = 4, between_checks = 512;
@@ -224,7 +258,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             if (is_place(points[i].x(), points[i].y()))
                 places.push_back({points[i], i});
             else
-                heights[i] = lift_nowhere(points[i].x(), points[i].y());
+                take(i, lift_nowhere(points[i].x(), points[i].y()), no_slot);
         }
         arrange(kept, in_packet, radius);
         SharedCut cut;
@@ -251,7 +285,7 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
                 const AxialAnswer answer =
                     search(view, *surface_, left[0].at.x(), left[0].at.y(), hint, &cut);
                 if (answer.slot != no_slot) hint = answer.slot;
-                heights[left[0].number] = answer.tip + allowance_;
+                take(left[0].number, answer.tip + allowance_, answer.slot);
                 ++i;
                 continue;
             }
@@ -263,10 +297,10 @@ void AxialLift::tip_z(std::span<const Vec2> points, std::span<double> heights,
             packet.cut = cut.nodes();
             packet.cut_nodes = cut.count();
             packet.prepared = &prepared;
-            double tips[AxialPacket::max_places];
-            axial_kernels().packet(view, *surface_, packet, tips);
+            AxialPacketAnswer answer;
+            axial_kernels().packet(view, *surface_, packet, answer);
             for (std::size_t k = 0; k < count; ++k)
-                heights[left[k].number] = tips[k] + allowance_;
+                take(left[k].number, answer.tips[k] + allowance_, answer.slots[k]);
             i += count;
         }
     });

@@ -17,6 +17,7 @@
 
 namespace facetmill {
 
+struct AxialAnswer;
 struct SurfaceTable;
 
 /// Where the cutter would touch.
@@ -61,11 +62,20 @@ public:
     /// when the two spans differ in length. Points are arranged by where they are; those of a grid that is
     /// fine for the cutter are several times faster than one by one.
     void tip_z(std::span<const Vec2> points, std::span<double> heights, const Progress& progress) const;
+    /// The same with what is touched: of several places that are touched at once it may be another one than
+    /// `contact` tells.
+    void contact(std::span<const Vec2> points, std::span<AxialContact> contacts,
+                 const Progress& progress) const;
 
     /// The cutter as given, without the allowance.
     const CutterProfile& profile() const { return profile_; }
 
 private:
+    AxialContact contact_of(const AxialAnswer& answer, double x, double y) const;
+    /// take(number, tip, slot of a facet that is touched), in any order and from many threads.
+    template <class Take>
+    void each_of(std::span<const Vec2> points, const Progress& progress, const Take& take) const;
+
     ContactIndexPtr index_;
     CutterProfile profile_;
     double allowance_;

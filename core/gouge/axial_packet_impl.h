@@ -23,8 +23,8 @@ template <SurfaceShape shape>
 class PacketSearch : PacketPairs<shape> {
 public:
     FACETMILL_MEMBER PacketSearch(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
-                                  const AxialQuery& first, double* t)
-        : PacketPairs<shape>(i, s, p, first, t) {
+                                  const AxialQuery& first, AxialPacketAnswer& answer)
+        : PacketPairs<shape>(i, s, p, first, answer) {
         for (int k = 0; k < last_few; ++k)
             key_room[k] = -__builtin_inff();
     }
@@ -391,19 +391,21 @@ private:
 };
 
 void packet(const IndexView& index, const SurfaceTable& surface, const AxialPacket& packet,
-            double (&tips)[AxialPacket::max_places]) {
+            AxialPacketAnswer& answer) {
     AxialQuery first;
     first.place[0] = packet.x[0];
     first.place[1] = packet.y[0];
     if (!index.nodes) {
-        for (double& tip : tips)
+        for (double& tip : answer.tips)
             tip = no_lift;
+        for (std::uint32_t& slot : answer.slots)
+            slot = no_slot;
     } else if (surface.shape == SurfaceShape::ball) {
-        PacketSearch<SurfaceShape::ball>(index, surface, packet, first, tips).run();
+        PacketSearch<SurfaceShape::ball>(index, surface, packet, first, answer).run();
     } else if (surface.shape == SurfaceShape::flat) {
-        PacketSearch<SurfaceShape::flat>(index, surface, packet, first, tips).run();
+        PacketSearch<SurfaceShape::flat>(index, surface, packet, first, answer).run();
     } else {
-        PacketSearch<SurfaceShape::any>(index, surface, packet, first, tips).run();
+        PacketSearch<SurfaceShape::any>(index, surface, packet, first, answer).run();
     }
 }
 

@@ -20,6 +20,7 @@ struct PacketPlaces : PreparedBounds<shape> {
 
     const AxialPacket& packet;
     double* tips; ///< the answers, as far as they are known
+    std::uint32_t* slots;
 
     alignas(64) double place_x[place_lanes], place_y[place_lanes];
     PlaceFloats dx, dy;                               ///< the places from the first
@@ -33,8 +34,8 @@ struct PacketPlaces : PreparedBounds<shape> {
     };
 
     FACETMILL_MEMBER PacketPlaces(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
-                                  const AxialQuery& first, double* t)
-        : PreparedBounds<shape>(i, s, first), packet(p), tips(t) {
+                                  const AxialQuery& first, AxialPacketAnswer& answer)
+        : PreparedBounds<shape>(i, s, first), packet(p), tips(answer.tips), slots(answer.slots) {
         float x[place_lanes], y[place_lanes];
         for (int k = 0; k < place_lanes; ++k) {
             const int place = k < packet.count ? k : 0;
@@ -43,6 +44,7 @@ struct PacketPlaces : PreparedBounds<shape> {
             x[k] = float(place_x[k] - first.place[0]);
             y[k] = float(place_y[k] - first.place[1]);
             tips[k] = no_lift;
+            slots[k] = no_slot;
         }
         dx = load_places(x);
         dy = load_places(y);
@@ -72,7 +74,7 @@ template <SurfaceShape shape>
 struct PacketPairs : PacketPlaces<shape> {
     using Base = PacketPlaces<shape>;
     using Base::edge_bounds, Base::rounded_down, Base::raise;
-    using Base::index, Base::surface, Base::zero, Base::packet, Base::tips, Base::least;
+    using Base::index, Base::surface, Base::zero, Base::packet, Base::tips, Base::slots, Base::least;
     using typename Base::Places;
     template <class F>
     using EdgeLanes = typename Base::template EdgeLanes<F>;
@@ -90,11 +92,12 @@ struct PacketPairs : PacketPlaces<shape> {
 
     FacetTest tested;
     int tested_place[double_lanes];
+    std::uint32_t tested_slot[double_lanes];
     int taken = 0;
 
     FACETMILL_MEMBER PacketPairs(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
-                                 const AxialQuery& first, double* t)
-        : PacketPlaces<shape>(i, s, p, first, t) {}
+                                 const AxialQuery& first, AxialPacketAnswer& answer)
+        : PacketPlaces<shape>(i, s, p, first, answer) {}
 
     /// A facet that may be the highest at a place: its lift is no more than `bound` or what its edges that
     /// are asked (bits) turn out to allow, and no more than `cap`.
@@ -194,6 +197,7 @@ struct PacketPairs : PacketPlaces<shape> {
         tested.set(index.blocks[slot / block_width], slot % block_width, packet.x[place], packet.y[place],
                    taken);
         tested.max_lift[taken] = double(pair_bound[pair]) + zero;
+        tested_slot[taken] = slot;
         tested_place[taken++] = place;
         if (taken == double_lanes) test();
     }
@@ -212,6 +216,7 @@ struct PacketPairs : PacketPlaces<shape> {
             const int place = tested_place[w];
             if (!(floor4[w] > tips[place])) continue;
             tips[place] = floor4[w];
+            slots[place] = tested_slot[w];
             raise(place, rounded_down(floor4[w]));
         }
         taken = 0;

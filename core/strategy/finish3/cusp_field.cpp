@@ -32,9 +32,27 @@ CuspField::CuspField(const StepOverInput& input)
       sharp_(input.cover->profile().cutter().r < sharp_share * input.cover->radius()) {}
 
 CuspField::Sample CuspField::sample(double u, double v, LiftHint& hint) const {
-    Sample s;
     const Vec2 xy = in_.frame.xy(u, v);
-    const AxialContact c = in_.lift->contact(xy.x(), xy.y(), hint);
+    return sample_of(xy, in_.lift->contact(xy.x(), xy.y(), hint));
+}
+
+std::vector<CuspField::Sample> CuspField::samples(const std::vector<Vec2>& places,
+                                                  const Progress& progress) const {
+    std::vector<Vec2> points;
+    points.reserve(places.size());
+    for (const Vec2& p : places)
+        points.push_back(in_.frame.xy(p.x(), p.y()));
+    std::vector<AxialContact> contacts(points.size());
+    in_.lift->contact(points, contacts, progress);
+    std::vector<Sample> all;
+    all.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        all.push_back(sample_of(points[i], contacts[i]));
+    return all;
+}
+
+CuspField::Sample CuspField::sample_of(const Vec2& xy, const AxialContact& c) const {
+    Sample s;
     s.tip_z = std::max(c.tip_z, in_.floor);
     if (!(c.tip_z >= in_.floor) || c.facet == no_index) return s;
     const Vec3 tip(xy.x(), xy.y(), c.tip_z);

@@ -46,6 +46,8 @@ public:
         bool valid = false;
     };
     Sample sample(double u, double v, LiftHint& hint) const;
+    /// At many (u, v) that are close together.
+    std::vector<Sample> samples(const std::vector<Vec2>& places, const Progress& progress) const;
     /// Height along n over p, near u, that a line leaves; infinite without a line or where it does not come
     /// by.
     double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
@@ -66,6 +68,7 @@ public:
     bool sharp() const { return sharp_; }
 
 private:
+    Sample sample_of(const Vec2& xy, const AxialContact& contact) const;
     double piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, const Vec3& p,
                        const Vec3& n) const;
     double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,

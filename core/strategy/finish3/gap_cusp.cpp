@@ -9,7 +9,7 @@ namespace facetmill {
 namespace {
 
 /// Columns that a thread takes at a time.
-constexpr std::size_t block_columns = 16;
+constexpr std::size_t block_columns = 64;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
 /// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
@@ -90,33 +90,50 @@ std::vector<CuspAt> GapCusp::along(const Progress& progress) const {
     if (!(v1_ > v0_)) return {};
     std::vector<CuspAt> found(columns_.size());
     parallel_blocks(columns_.size(), block_columns, progress, [&](std::size_t begin, std::size_t end) {
-        Before before;
+        Block block = sampled(begin, end, progress.part(0, 0));
         for (std::size_t c = begin; c < end; ++c) {
             found[c].u = columns_[c].u;
-            look(c, before, found[c].cusp);
+            look(c, block, found[c].cusp);
         }
     });
     std::stable_sort(found.begin(), found.end(), [](const CuspAt& a, const CuspAt& b) { return a.u < b.u; });
     return found;
 }
 
-void GapCusp::look(std::size_t column, Before& before, double& worst) const {
-    Found found;
-    found.u = columns_[column].u;
-    if (!look_at_rows(found, column, before, worst)) return;
-    look_between_rows(found, before, worst);
-    if (a_ && b_) look_at_ridges(found, worst);
-    look_at_walls(found, before, worst);
-    look_at_wall_ahead(found, column, before, worst);
+GapCusp::Block GapCusp::sampled(std::size_t begin, std::size_t end, const Progress& progress) const {
+    if (end < columns_.size() && columns_[end - 1].joins_next) ++end;
+    Block block;
+    block.first = begin;
+    block.samples.resize(end - begin);
+    std::vector<Vec2> places;
+    std::vector<Sample*> which;
+    for (std::size_t c = begin; c < end; ++c)
+        for (int i = 0; i < rows; ++i) {
+            if (!inside(domain_[i], columns_[c].u, tolerance::contact_distance)) continue;
+            places.emplace_back(columns_[c].u, v_[i]);
+            which.push_back(&block.samples[c - begin][i]);
+        }
+    const std::vector<Sample> found = field_.samples(places, progress);
+    for (std::size_t k = 0; k < found.size(); ++k)
+        *which[k] = found[k];
+    return block;
 }
 
-bool GapCusp::look_at_rows(Found& found, std::size_t column, Before& before, double& worst) const {
+void GapCusp::look(std::size_t column, Block& block, double& worst) const {
+    Found found;
+    found.u = columns_[column].u;
+    found.s = block.at(column);
+    if (!look_at_rows(found, worst)) return;
+    look_between_rows(found, block, worst);
+    if (a_ && b_) look_at_ridges(found, worst);
+    look_at_walls(found, block, worst);
+    look_at_wall_ahead(found, column, block, worst);
+}
+
+bool GapCusp::look_at_rows(Found& found, double& worst) const {
     const double u = found.u;
     for (int i = 0; i < rows; ++i) {
-        if (!inside(domain_[i], u, tolerance::contact_distance)) continue;
-        Sample& s = found.s[i];
-        s = i == 1 && before.column == column ? before.sample
-                                            : field_.sample(u, v_[i], before.hints[i]);
+        const Sample& s = found.s[i];
         if (!s.valid) continue;
         const double ta = entry(a_, u, s.point, s.normal);
         const double tb = entry(b_, u, s.point, s.normal);
@@ -133,25 +150,25 @@ bool GapCusp::look_at_rows(Found& found, std::size_t column, Before& before, dou
 
 /// The contact jumps in a hollow hardly wider than the cutter, and stands still on a convex edge; then the
 /// surface lies between the outermost rows and the lines.
-void GapCusp::look_between_rows(const Found& found, Before& before, double& worst) const {
+void GapCusp::look_between_rows(const Found& found, Block& block, double& worst) const {
     const double u = found.u;
     const auto& s = found.s;
-    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb, LiftHint hint) {
+    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb, LiftHint& hint) {
         // A sharp rim's contact jumps from side to side on any hollow surface.
         if (worst > in_.cusp || (field_.sharp() && !found.still)) return;
         const double gap = (found.still ? in_.look.edge_gap : in_.look.jump_gap) * field_.level_step();
         worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between, hint));
     };
     for (int i = 0; i + 1 < rows; ++i)
-        look_between(v_[i], s[i], v_[i + 1], s[i + 1], before.hints[i]);
-    const auto at = [&](double v, LiftHint hint) { return field_.sample(u, v, hint); };
+        look_between(v_[i], s[i], v_[i + 1], s[i + 1], block.hints[i]);
+    const auto at = [&](double v, LiftHint& hint) { return field_.sample(u, v, hint); };
     // So it does where the contact jumps between them, and the line leaves more than on a flank.
     const auto beside_line = [&](double root) { return found.still || root * root > jump_share * in_.cusp; };
     if (a_ && beside_line(found.x[0]) && inside(domain_a_, u, tolerance::contact_distance))
-        look_between(v0_, at(v0_, before.hints[0]), v_[0], s[0], before.hints[0]);
+        look_between(v0_, at(v0_, block.hints[0]), v_[0], s[0], block.hints[0]);
     if (b_ && beside_line(found.y[rows - 1]) && inside(domain_b_, u, tolerance::contact_distance))
-        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, before.hints[rows - 1]),
-                     before.hints[rows - 1]);
+        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, block.hints[rows - 1]),
+                     block.hints[rows - 1]);
 }
 
 double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
@@ -183,38 +200,37 @@ void GapCusp::look_at_ridges(const Found& found, double& worst) const {
     worst = std::max(worst, ridge(found, x, y));
 }
 
-void GapCusp::look_at_walls(const Found& found, Before& before, double& worst) const {
+void GapCusp::look_at_walls(const Found& found, Block& block, double& worst) const {
     const double u = found.u;
     const auto& s = found.s;
     for (int i = 0; i + 1 < rows; ++i)
         if (s[i].valid && s[i + 1].valid
             && std::abs(s[i].tip_z - s[i + 1].tip_z) > std::max(wall_slope * (v_[i + 1] - v_[i]), in_.cusp))
             worst = std::max(worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z,
-                                          before.hints[i]));
+                                          block.hints[i]));
     // Outermost rows against the lines themselves.
     const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line, int row) {
         if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
         const double z = field_.height_on(*line, u);
         if (std::abs(z - s[row].tip_z) > std::max(wall_slope * std::abs(v_[row] - line->v), in_.cusp))
             worst = std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z,
-                                          before.hints[row]));
+                                          block.hints[row]));
     };
     to_line(a_, domain_a_, 0);
     to_line(b_, domain_b_, rows - 1);
 }
 
 /// A wall across the passes, between this column and the next.
-void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Before& before,
+void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Block& block,
                                  double& worst) const {
     const Sample& s = found.s[1];
     if (!s.valid || !columns_[column].joins_next) return;
     const double next = columns_[column + 1].u;
     if (!inside(domain_[1], next, tolerance::contact_distance)) return;
-    before.sample = field_.sample(next, v_[1], before.hints[1]);
-    before.column = column + 1;
-    const double z = before.sample.valid ? before.sample.tip_z : in_.floor;
+    const Sample& ahead = block.at(column + 1)[1];
+    const double z = ahead.valid ? ahead.tip_z : in_.floor;
     if (std::abs(z - s.tip_z) > std::max(wall_slope * (next - found.u), in_.cusp))
-        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z, before.hints[1]));
+        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z, block.hints[1]));
 }
 
 double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& hint) const {

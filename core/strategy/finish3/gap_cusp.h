@@ -42,24 +42,25 @@ private:
         /// The contact stands still while the cutter rolls over a convex edge.
         bool still = false;
     };
-    /// What is known from the columns before.
-    struct Before {
-        /// The middle row of the next column, found while looking for walls.
-        Sample sample;
-        std::size_t column = no_index;
+    /// The rows of some columns one after another, and of one more where the last joins it.
+    struct Block {
+        std::size_t first = 0;
+        std::vector<std::array<Sample, rows>> samples;
         std::array<LiftHint, rows> hints;
+        const std::array<Sample, rows>& at(std::size_t column) const { return samples[column - first]; }
     };
 
     void place_columns(std::vector<Interval> all, const Interval* within);
-    void look(std::size_t column, Before& before, double& worst) const;
+    Block sampled(std::size_t begin, std::size_t end, const Progress& progress) const;
+    void look(std::size_t column, Block& block, double& worst) const;
     /// False where a place is not cut at all.
-    bool look_at_rows(Found& found, std::size_t column, Before& before, double& worst) const;
-    void look_between_rows(const Found& found, Before& before, double& worst) const;
+    bool look_at_rows(Found& found, double& worst) const;
+    void look_between_rows(const Found& found, Block& block, double& worst) const;
     double ridge(const Found& found, const std::array<double, rows>& x,
                  const std::array<double, rows>& y) const;
     void look_at_ridges(const Found& found, double& worst) const;
-    void look_at_walls(const Found& found, Before& before, double& worst) const;
-    void look_at_wall_ahead(const Found& found, std::size_t column, Before& before, double& worst) const;
+    void look_at_walls(const Found& found, Block& block, double& worst) const;
+    void look_at_wall_ahead(const Found& found, std::size_t column, Block& block, double& worst) const;
 
     /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
     double between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap, int depth,

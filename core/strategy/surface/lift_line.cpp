@@ -9,23 +9,130 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t block_segments = 8;
-/// One line over a field, for one thread.
+/// Segments that a thread takes at a time: their places are asked together, those of a halving after those of
+/// the one before.
+constexpr std::size_t block_segments = 64;
+
+/// One line over a field.
 struct FieldLine {
     using Point = LinePoint;
     const LiftField& field;
     Vec2 origin, direction;
     const Progress& progress;
-    LiftHint hint;
 
-    LinePoint at(double s) { return {s, field.tip_z(origin + s * direction, hint)}; }
+    LinePoint at(double s) {
+        LiftHint hint;
+        return {s, field.tip_z(origin + s * direction, hint)};
+    }
     LinePoint middle(const LinePoint& a, const LinePoint& b) { return at(0.5 * (a.s + b.s)); }
     static LinePoint flat(const LinePoint& from, const LinePoint& p) { return {p.s - from.s, p.z}; }
     static LinePoint over(const LinePoint& high, const LinePoint& low) { return {low.s, high.z}; }
     void check() const { progress.check(); }
 };
 
+/// What LineRefiner makes of the segments of a block, halving by halving.
+class RefinedBlock {
+public:
+    RefinedBlock(FieldLine& line, const LineTolerance& tolerance)
+        : line_(line), refiner_(line_, tolerance) {}
+
+    /// `nodes`: where on the line the segments end, two at least. Appends what lies on them, without the
+    /// first end.
+    void add(const std::vector<double>& nodes, std::vector<LinePoint>& out) {
+        std::vector<double> s;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (i > 0) s.push_back(0.5 * (nodes[i - 1] + nodes[i]));
+            s.push_back(nodes[i]);
+        }
+        const std::vector<LinePoint> first = asked(s);
+        for (std::size_t i = 0; i + 2 < first.size(); i += 2)
+            pieces_.push_back({first[i], first[i + 1], first[i + 2], {}, {}, 0});
+        const std::size_t segments = pieces_.size();
+        for (std::size_t begin = 0; begin < pieces_.size();)
+            begin = divide(begin);
+        for (std::size_t i = 0; i < segments; ++i)
+            append(i, out);
+    }
+    /// The first end.
+    LinePoint start() const { return pieces_.front().a; }
+
+private:
+    struct Piece {
+        LinePoint a, mid, b;
+        LinePoint before{}, after{};  ///< a quarter from either end
+        int depth = 0;
+        enum class Kind { jump, straight, divided } kind = Kind::jump;
+        std::size_t half = 0; ///< divided: its first half; the second one is next to it
+    };
+
+    std::vector<LinePoint> asked(const std::vector<double>& s) const {
+        std::vector<Vec2> places;
+        places.reserve(s.size());
+        for (const double x : s)
+            places.push_back(line_.origin + x * line_.direction);
+        std::vector<double> z(s.size());
+        line_.field.tip_z(places, z, line_.progress);
+        std::vector<LinePoint> points(s.size());
+        for (std::size_t i = 0; i < s.size(); ++i)
+            points[i] = {s[i], z[i]};
+        return points;
+    }
+    /// Looks at all pieces from `begin` on, the halves of which come after them. Where those begin.
+    std::size_t divide(std::size_t begin) {
+        const std::size_t end = pieces_.size();
+        std::vector<double> s;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Piece& p = pieces_[i];
+            if (refiner_.is_undivided(p.a, p.b, p.depth)) continue;
+            s.push_back(0.5 * (p.a.s + p.mid.s));
+            s.push_back(0.5 * (p.mid.s + p.b.s));
+        }
+        const std::vector<LinePoint> quarters = asked(s);
+        std::size_t next = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            Piece p = pieces_[i];
+            if (refiner_.is_undivided(p.a, p.b, p.depth)) continue;
+            p.before = quarters[next++];
+            p.after = quarters[next++];
+            if (refiner_.is_straight(p.a, p.before, p.mid, p.after, p.b)) {
+                p.kind = Piece::Kind::straight;
+            } else {
+                p.kind = Piece::Kind::divided;
+                p.half = pieces_.size();
+                pieces_.push_back({p.a, p.before, p.mid, {}, {}, p.depth + 1});
+                pieces_.push_back({p.mid, p.after, p.b, {}, {}, p.depth + 1});
+            }
+            pieces_[i] = p;
+        }
+        return end;
+    }
+    void append(std::size_t i, std::vector<LinePoint>& out) const {
+        const Piece& p = pieces_[i];
+        switch (p.kind) {
+        case Piece::Kind::jump: refiner_.add_jump(p.a, p.b, out); break;
+        case Piece::Kind::straight: out.insert(out.end(), {p.before, p.mid, p.after, p.b}); break;
+        case Piece::Kind::divided:
+            append(p.half, out);
+            append(p.half + 1, out);
+        }
+    }
+
+    FieldLine& line_;
+    LineRefiner<FieldLine> refiner_;
+    std::vector<Piece> pieces_;
+};
+
 } // namespace
+
+void LiftField::tip_z(std::span<const Vec2> places, std::span<double> heights,
+                      const Progress& progress) const {
+    lift->tip_z(places, heights, progress);
+    HolderReach::Hints hints;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        heights[i] = std::max(heights[i], floor);
+        if (bodies && !bodies->empty()) heights[i] = bodies->raised(places[i], heights[i], hints);
+    }
+}
 
 double LiftField::tip_z(const Vec2& p, LiftHint& hint) const {
     const double z = std::max(lift->tip_z(p.x(), p.y(), hint), floor);
@@ -57,22 +164,23 @@ double safe_spacing(const CutterProfile& profile, double below) {
 
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
                                  double s1, const LineTolerance& tolerance, const Progress& progress) {
-    if (!(s1 > s0)) return {FieldLine{field, origin, direction, progress, {}}.at(s0)};
+    if (!(s1 > s0)) return {FieldLine{field, origin, direction, progress}.at(s0)};
     const auto n = std::size_t(std::ceil((s1 - s0) / (2 * tolerance.spacing)));
     const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
     const std::size_t blocks = (n - 1) / block_segments + 1;
     std::vector<std::vector<LinePoint>> parts(blocks);
     parallel_blocks(n, block_segments, progress, [&](std::size_t begin, std::size_t end) {
         auto& part = parts[begin / block_segments];
-        FieldLine on{field, origin, direction, progress, {}};
-        const LineRefiner refiner(on, tolerance);
-        LinePoint last = on.at(node(begin));
-        if (begin == 0) part.push_back(last);
-        for (std::size_t i = begin; i < end; ++i) {
-            const LinePoint next = on.at(node(i + 1));
-            refiner.add(last, on.middle(last, next), next, part);
-            last = next;
-        }
+        const Progress here = progress.part(0, 0);
+        FieldLine on{field, origin, direction, here};
+        RefinedBlock block(on, tolerance);
+        std::vector<double> nodes;
+        for (std::size_t i = begin; i <= end; ++i)
+            nodes.push_back(node(i));
+        std::vector<LinePoint> behind;
+        block.add(nodes, behind);
+        if (begin == 0) part.push_back(block.start());
+        part.insert(part.end(), behind.begin(), behind.end());
     });
     std::vector<LinePoint> line;
     for (const auto& part : parts)

@@ -20,6 +20,8 @@ struct LiftField {
         return tip_z(p, hint);
     }
     double tip_z(const Vec2& p, LiftHint& hint) const;
+    /// The same for many places.
+    void tip_z(std::span<const Vec2> places, std::span<double> heights, const Progress& progress) const;
 };
 
 struct LinePoint {

@@ -24,15 +24,8 @@ public:
 
     /// Appends what lies between a and b, with `mid` half-way, and b.
     void add(const Point& a, const Point& mid, const Point& b, std::vector<Point>& out, int depth = 0) const {
-        const LinePoint end = line_.flat(a, b);
-        const double dz = end.z - line_.flat(a, a).z;
-        if (end.s <= tolerance_.shortest() || depth >= deepest) {
-            // A jump: an upright move on its low side.
-            if (dz < 0)
-                out.push_back(line_.over(a, b));
-            else if (dz > 0)
-                out.push_back(line_.over(b, a));
-            out.push_back(b);
+        if (is_undivided(a, b, depth)) {
+            add_jump(a, b, out);
             return;
         }
         if (depth % 8 == 7) line_.check();
@@ -45,10 +38,19 @@ public:
         add(mid, after, b, out, depth + 1);
     }
 
-private:
-    /// Halvings between two places, at most: a guard only, since they end where pieces are short.
-    static constexpr int deepest = 40;
-
+    /// Too short to be looked at more closely.
+    bool is_undivided(const Point& a, const Point& b, int depth) const {
+        return line_.flat(a, b).s <= tolerance_.shortest() || depth >= deepest;
+    }
+    /// Appends b, with an upright move before it, on the low side of what then is a jump.
+    void add_jump(const Point& a, const Point& b, std::vector<Point>& out) const {
+        const double dz = line_.flat(a, b).z - line_.flat(a, a).z;
+        if (dz < 0)
+            out.push_back(line_.over(a, b));
+        else if (dz > 0)
+            out.push_back(line_.over(b, a));
+        out.push_back(b);
+    }
     /// Whether quarters of a piece are all near its chord, and short. The middle alone does not tell: down a
     /// steep wall the path bends over the wall's edge and back at its foot, and what the one bend lifts the
     /// middle over the chord the other may lower it. Of the height of a single kink, wherever it is, the
@@ -67,6 +69,10 @@ private:
         }
         return true;
     }
+
+private:
+    /// Halvings between two places, at most: a guard only, since they end where pieces are short.
+    static constexpr int deepest = 40;
 
     Line& line_;
     LineTolerance tolerance_;
