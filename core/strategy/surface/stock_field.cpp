@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_lift.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace facetmill {
@@ -21,6 +22,8 @@ bool is_undercut(const CutterProfile& profile) {
 
 StockCutter::StockCutter(const CutterProfile& profile)
     : radius_(profile.max_radius()), height_(profile.height()) {
+    static std::atomic<std::uint64_t> made{0};
+    number_ = ++made;
     table_.resize(pieces + 2);
     for (std::size_t i = 0; i <= pieces; ++i) {
         const double rest = 1 - double(i) / double(pieces);
@@ -145,7 +148,7 @@ void StockField::forget_below(double z) {
 
 template <class Field, class Wanted, class Visit>
 void StockField::near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                           Wanted&& wanted, Visit&& visit) {
+                           Wanted&& wanted, Visit&& visit, const Vec2& ahead) {
     if (field.cells_.empty()) return;
     const double cell_ = field.cell_;
     const Box3& box_ = field.box_;
@@ -159,11 +162,23 @@ void StockField::near_line(Field& field, const Vec2& a, const Vec2& b, double re
     };
     const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
     const int row1 = last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_);
-    const int column0 = first(x0, box_.lo.x()), column1 = last(x1, box_.lo.x(), field.columns_);
+    const int all0 = first(x0, box_.lo.x()), all1 = last(x1, box_.lo.x(), field.columns_);
     const double reach_square = reach * reach;
     for (int row = first(std::min(a.y(), b.y()), box_.lo.y()); row <= row1; ++row) {
         auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
         auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
+        int column0 = all0, column1 = all1;
+        // (x - a.x) ahead.x > -(y - a.y) ahead.y, and a cell more.
+        const double y = field.center(0, row).y(), level = (a.y() - y) * ahead.y();
+        if (ahead.x() != 0) {
+            const double column = std::clamp((a.x() + level / ahead.x() - box_.lo.x()) / cell_, -2.0, 2e9);
+            if (ahead.x() > 0)
+                column0 = std::max(column0, int(column) - 1);
+            else
+                column1 = std::min(column1, int(column) + 1);
+        } else if (level > cell_ * std::abs(ahead.y())) {
+            continue;
+        }
         for (int begin = column0; begin <= column1;) {
             const int start = begin / run * run, end = std::min(column1, start + run - 1);
             if (tops[begin / run] > floor) {
@@ -247,38 +262,52 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
 
 void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
     const Vec3 motion = b - a;
+    bool stood = last_tip_ == a && last_cutter_ == cutter.number_;
     short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        const Vec3 p = a + from * motion, q = a + to * motion;
-        // Any place of the piece gives a height that is not too low; the nearest is the best on a level one,
-        // the lower end where it goes down steeply.
-        const Vec3& low = p.z() < q.z() ? p : q;
-        if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
-            cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
-                      p.z() + cutter.covered(cutter.flat_radius()));
-        const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
-        // Most cells in reach stay as they are: low enough, or under the rim, which takes the middle alone.
-        const double inner = std::max(0.0, cutter.radius() - half_diagonal_), whole = inner * inner;
-        const auto lower = [&](Cell& cell, double square, double z) {
-            const bool middle = cell.middle > low.z(), top = square <= whole;
-            if (!(middle || top) || z + cutter.at_least(square) >= cell.top) return true;
-            const double d = std::sqrt(square);
-            const auto lower_to = [&](double& height, double slack) {
-                if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
-                height = std::min(height, z + cutter.above(d + slack));
-            };
-            if (middle) lower_to(cell.middle, 0);
-            if (top) lower_to(cell.top, half_diagonal_);
-            return true;
-        };
-        near_line(*this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
-                  [&](Cell& cell, double square, double t) {
-                      return lower(cell, square, p.z() + t * (q.z() - p.z()));
-                  });
-        if (p.z() != q.z())
-            near_line(*this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
-                      [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); });
+        cut_piece(cutter, a + from * motion, to == 1 ? b : Vec3(a + to * motion), stood);
+        stood = true;
         return true;
     });
+    last_tip_ = b;
+    last_cutter_ = cutter.number_;
+}
+
+/// Any place of the piece gives a height that is not too low; the nearest is the best on a level one, the
+/// lower end where it goes down steeply. Where the cutter stood at p before, it has cut there: what lies
+/// behind is nearest to p.
+void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p) {
+    const Vec3& low = p.z() < q.z() ? p : q;
+    const Vec2 on = (q - p).head<2>();
+    if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
+        cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
+                  p.z() + cutter.covered(cutter.flat_radius()));
+    const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
+    // Most cells in reach stay as they are: low enough, or under the rim, which takes the middle alone.
+    const double inner = std::max(0.0, cutter.radius() - half_diagonal_), whole = inner * inner;
+    const auto lower = [&](Cell& cell, double square, double z) {
+        const bool middle = cell.middle > low.z(), top = square <= whole;
+        if (!(middle || top) || z + cutter.at_least(square) >= cell.top) return true;
+        const double d = std::sqrt(square);
+        const auto lower_to = [&](double& height, double slack) {
+            if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
+            height = std::min(height, z + cutter.above(d + slack));
+        };
+        if (middle) lower_to(cell.middle, 0);
+        if (top) lower_to(cell.top, half_diagonal_);
+        return true;
+    };
+    const Vec2 everywhere = Vec2::Zero();
+    near_line(
+        *this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
+        [&](Cell& cell, double square, double t) { return lower(cell, square, p.z() + t * (q.z() - p.z())); },
+        stood_at_p ? on : everywhere);
+    // Ahead of its lower end, that was the nearest.
+    const bool falls = q.z() < p.z();
+    if (p.z() == q.z() || (!falls && stood_at_p)) return;
+    near_line(
+        *this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
+        [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); },
+        falls ? Vec2(-on) : on);
 }
 
 double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {

@@ -57,7 +57,9 @@ private:
     std::size_t knot(double rho) const {
         return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
     }
+    friend class StockField;
     double radius_, height_, flat_radius_ = 0;
+    std::uint64_t number_; ///< no other cutter has it, but for copies
     std::vector<double> table_, covered_; ///< covered_: of an undercut cutter only
     std::array<double, squares> by_square_{};
 };
@@ -120,9 +122,11 @@ private:
     /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
     /// `floor`; ends when visit returns false. Most cells near a line are cut already: `wanted` is asked
     /// first.
+    /// `ahead`: only what lies on this side of a, if it is not 0; little else is visited then.
     template <class Field, class Wanted, class Visit>
     static void near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                          Wanted&& wanted, Visit&& visit);
+                          Wanted&& wanted, Visit&& visit, const Vec2& ahead = Vec2::Zero());
+    void cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p);
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;
@@ -131,6 +135,9 @@ private:
     static constexpr int run = 8; ///< cells of a row
     int run_columns_ = 0;
     std::vector<double> run_tops_; ///< the highest top of each run
+    /// What was cut last: a cutter of this surface stood here at its end.
+    Vec3 last_tip_ = Vec3::Constant(infinity);
+    std::uint64_t last_cutter_ = 0;
 };
 
 } // namespace facetmill
