@@ -77,12 +77,14 @@ CuspField::Sample CuspField::sample_of(const Vec2& xy, const AxialContact& c) co
 
 /// The smallest entry along one piece of a run: convex, because a swept convex body is convex.
 double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k,
-                              const Vec3& p, const Vec3& n) const {
+                              const Vec3& p, const Vec3& n, Ends& ends) const {
     const double limit = 2 * in_.cover->radius();
     const Vec3 a = in_.frame.point(run[k].s, line.v, run[k].z),
                b = in_.frame.point(run[k + 1].s, line.v, run[k + 1].z);
     const auto f = [&](double x) { return in_.cover->ray_entry(p, n, a + x * (b - a), limit); };
-    const double f0 = f(0), f1 = f(0.5), f2 = f(1);
+    if (std::isnan(ends.a)) ends.a = in_.cover->ray_entry(p, n, a, limit);
+    if (std::isnan(ends.b)) ends.b = in_.cover->ray_entry(p, n, b, limit);
+    const double f0 = ends.a, f1 = f(0.5), f2 = ends.b;
     double least = std::min({f0, f1, f2});
     if (least == infinity) return least;
     if (f0 < infinity && f1 < infinity && f2 < infinity) {
@@ -103,11 +105,11 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
         return in_.cover->ray_entry(p, n, in_.frame.point(q.s, line.v, q.z), limit);
     };
     if (run.size() == 1) return at_point(run[0]);
-    const auto piece = [&](std::size_t k) { return piece_entry(line, run, k, p, n); };
     const auto after = first_behind(run, u);
     const std::size_t last = run.size() - 2;
     std::size_t k = after == run.begin() ? 0 : std::min(std::size_t(after - run.begin()) - 1, last);
-    double here = piece(k);
+    Ends ends;
+    double here = piece_entry(line, run, k, p, n, ends);
     if (here == infinity) {
         // Not met near u: look at all of the run that can reach p.
         std::size_t found = no_index;
@@ -121,13 +123,24 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
         }
         if (found == no_index) return infinity;
         k = std::min(found, last);
-        here = std::min(here, piece(k));
+        ends = {};
+        here = std::min(here, piece_entry(line, run, k, p, n, ends));
     }
-    std::size_t left = k, right = k;
-    for (double t; left > 0 && (t = piece(left - 1)) < here; --left)
+    // Neighbours share an end.
+    const double first_b = ends.b;
+    for (std::size_t left = k; left > 0; --left) {
+        ends = {std::numeric_limits<double>::quiet_NaN(), ends.a};
+        const double t = piece_entry(line, run, left - 1, p, n, ends);
+        if (!(t < here)) break;
         here = t;
-    for (double t; right < last && (t = piece(right + 1)) < here; ++right)
+    }
+    ends.b = first_b;
+    for (std::size_t right = k; right < last; ++right) {
+        ends = {ends.b, std::numeric_limits<double>::quiet_NaN()};
+        const double t = piece_entry(line, run, right + 1, p, n, ends);
+        if (!(t < here)) break;
         here = t;
+    }
     return here;
 }
 

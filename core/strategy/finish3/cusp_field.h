@@ -69,8 +69,12 @@ public:
 
 private:
     Sample sample_of(const Vec2& xy, const AxialContact& contact) const;
+    /// Entries at the ends of a piece; not a number where they are not known yet.
+    struct Ends {
+        double a = std::numeric_limits<double>::quiet_NaN(), b = a;
+    };
     double piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, const Vec3& p,
-                       const Vec3& n) const;
+                       const Vec3& n, Ends& ends) const;
     double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
                      const Vec3& n) const;
 

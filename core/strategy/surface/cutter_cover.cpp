@@ -243,6 +243,14 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
         const double t = profile_.height_at(std::sqrt(c + radius_ * radius_)) - d.z();
         return t <= limit ? t : infinity;
     }
+    double on_ball = infinity;
+    if (ball_) { // mostly its lower half is met
+        const Vec3 e(d.x(), d.y(), d.z() - radius_);
+        const double f = e.dot(n), q = f * f - (e.squaredNorm() - radius_ * radius_);
+        if (q >= 0) on_ball = -f - std::sqrt(q);
+        if (!(on_ball <= limit)) on_ball = infinity;
+        if (on_ball < infinity && e.z() + on_ball * n.z() < 0) return on_ball;
+    }
     // The line is within the radius of the axis for t in [enter, leave].
     const double disc = b * b - a * c;
     if (disc <= 0) return infinity;
@@ -250,14 +258,7 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
     const double enter = (-b - root) / a, leave = std::min((-b + root) / a, limit);
     if (enter > limit) return infinity;
     if (d.z() + enter * n.z() >= shoulder_) return enter; // through the side
-    if (ball_) {
-        const Vec3 e(d.x(), d.y(), d.z() - radius_);
-        const double f = e.dot(n);
-        const double q = f * f - (e.squaredNorm() - radius_ * radius_);
-        if (q < 0) return infinity;
-        const double t = -f - std::sqrt(q);
-        return t <= limit ? t : infinity;
-    }
+    if (ball_) return on_ball;
     return LineThroughCutter(profile_, d, n).entry(enter, leave);
 }
 
