@@ -9,6 +9,24 @@ namespace facetmill::simd {
 
 namespace {
 
+/// No lift over the facets of a block is higher: that of their highest corner.
+FACETMILL_LANES double top_of(const FacetBlock& block) {
+    Double4 top = load(block.z[0]);
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < block_width; i += double_lanes)
+            top = larger(top, load(block.z[k] + i));
+    double highest = top[0];
+    for (int i = 1; i < double_lanes; ++i)
+        highest = top[i] > highest ? top[i] : highest;
+    return highest;
+}
+
+/// A flat bottom on a level floor touches many facets as high: those are told from higher ones by their own
+/// coordinates, which bounds in single precision cannot.
+FACETMILL_LANES bool has_flat_bottom(const SurfaceTable& surface) {
+    return surface.piece[0].r == 0 && surface.piece[0].slope0 == 0;
+}
+
 /// Up to four facets under the exact test, in the cutter's frame.
 struct FacetTest {
     alignas(32) double x[3][4], y[3][4], z[3][4];

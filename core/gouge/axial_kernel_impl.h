@@ -21,6 +21,7 @@ struct Search : Bounds<tilted, shape> {
 
     AxialAnswer& best;
 
+    const bool flat_bottom;
     float sure;              ///< lower bounds of facets seen so far say that the answer is more, from `zero`
     std::uint32_t sure_slot; ///< the facet that says so
     float least;             ///< no less than best.tip from `zero`, and no more than the answer
@@ -46,7 +47,7 @@ struct Search : Bounds<tilted, shape> {
     std::uint32_t opened; ///< a block that was opened first
 
     FACETMILL_MEMBER Search(const IndexView& i, const SurfaceTable& s, const AxialQuery& q, AxialAnswer& b)
-        : Base(i, s, q), best(b) {
+        : Base(i, s, q), best(b), flat_bottom(has_flat_bottom(s)) {
         best.tip = query.least;
         best.slot = no_slot;
         least = sure = -__builtin_inff();
@@ -219,6 +220,8 @@ struct Search : Bounds<tilted, shape> {
     template <bool first>
     FACETMILL_CALLED void open_block(std::uint32_t which) {
         const FacetBlock& block = index.blocks[which];
+        if constexpr (!tilted)
+            if (flat_bottom && top_of(block) <= best.tip) return;
         Float8 below;
         const Float8 above = facet_bounds<first>(block, below);
         if constexpr (first) {

@@ -24,7 +24,7 @@ class PacketSearch : PacketPairs<shape> {
 public:
     FACETMILL_MEMBER PacketSearch(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
                                   const AxialQuery& first, AxialPacketAnswer& answer)
-        : PacketPairs<shape>(i, s, p, first, answer) {
+        : PacketPairs<shape>(i, s, p, first, answer), flat_bottom(has_flat_bottom(s)) {
         for (int k = 0; k < last_few; ++k)
             key_room[k] = -__builtin_inff();
     }
@@ -55,6 +55,7 @@ public:
 private:
     using Base = PacketPairs<shape>;
     using Base::index, Base::query, Base::at, Base::radius, Base::inner, Base::slack, Base::margin;
+    using Base::tips;
     using Base::packet, Base::place_x, Base::place_y, Base::dx, Base::dy, Base::lo_dx, Base::hi_dx,
         Base::lo_dy, Base::hi_dy, Base::least, Base::floor;
     using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
@@ -63,6 +64,8 @@ private:
     using typename Base::Contact, typename Base::Places;
     template <class F>
     using EdgeLanes = typename Base::template EdgeLanes<F>;
+
+    const bool flat_bottom;
 
     /// Places whose facets, eight each, fill the lanes.
     static constexpr int together = place_lanes / int(block_width);
@@ -190,6 +193,16 @@ private:
     }
 
     FACETMILL_CALLED void open_block(std::uint32_t which, const ContactRange& on, unsigned places) {
+        if (flat_bottom) {
+            const double top = top_of(index.blocks[which]);
+            unsigned higher = 0;
+            for (unsigned left = places; left != 0; left &= left - 1) {
+                const int k = __builtin_ctz(left);
+                higher |= unsigned(top > tips[k]) << k;
+            }
+            places = higher;
+            if (places == 0) return;
+        }
         PreparedBlock& f = packet.prepared->prepared[room_of(which)];
         std::uint32_t& there = packet.prepared->block[room_of(which)];
         if (there != which) {
