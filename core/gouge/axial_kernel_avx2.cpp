@@ -6,6 +6,7 @@
 namespace facetmill {
 
 extern const AxialKernels axial_kernels_avx2;
-const AxialKernels axial_kernels_avx2{simd::search<false>, simd::search<true>, simd::touch, simd::packet, simd::curve, simd::place_lanes, "AVX2"};
+const AxialKernels axial_kernels_avx2{simd::search<false>, simd::search<true>, simd::touch, simd::packet,
+                                      simd::curve,         simd::place_lanes,  "AVX2"};
 
 } // namespace facetmill

@@ -7,6 +7,7 @@
 namespace facetmill {
 
 extern const AxialKernels axial_kernels_avx512;
-const AxialKernels axial_kernels_avx512{simd::search<false>, simd::search<true>, simd::touch, simd::packet, simd::curve, simd::place_lanes, "AVX-512"};
+const AxialKernels axial_kernels_avx512{simd::search<false>, simd::search<true>, simd::touch, simd::packet,
+                                        simd::curve,         simd::place_lanes,  "AVX-512"};
 
 } // namespace facetmill

@@ -6,6 +6,7 @@
 namespace facetmill {
 
 extern const AxialKernels axial_kernels_baseline;
-const AxialKernels axial_kernels_baseline{simd::search<false>, simd::search<true>, simd::touch, simd::packet, simd::curve, simd::place_lanes, "baseline"};
+const AxialKernels axial_kernels_baseline{simd::search<false>, simd::search<true>, simd::touch, simd::packet,
+                                          simd::curve,         simd::place_lanes,  "baseline"};
 
 } // namespace facetmill

@@ -55,11 +55,11 @@ public:
 private:
     using Base = PacketPairs<shape>;
     using Base::index, Base::query, Base::at, Base::radius, Base::inner, Base::slack, Base::margin;
-    using Base::tips;
     using Base::packet, Base::place_x, Base::place_y, Base::dx, Base::dy, Base::lo_dx, Base::hi_dx,
         Base::lo_dy, Base::hi_dy, Base::least, Base::floor;
     using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
     using Base::raise, Base::add, Base::flush;
+    using Base::tips;
     using Base::touched, Base::tangent_plane, Base::contact, Base::bounds, Base::rough_height;
     using typename Base::Contact, typename Base::Places;
     template <class F>

@@ -324,8 +324,10 @@ std::vector<Row> rows_for(const std::function<Mesh()>& relief) {
                             bool isolated) {
         rows.push_back({name, [=] { return lifts(mesh(), tool, count, isolated); }, A::lifts, "", true});
     };
-    kernel("diagonal needles 20 k", [] { return diagonal_needles(20'000); }, ball, 40'000, false);
-    kernel("diagonal needles 200 k", [] { return diagonal_needles(200'000); }, ball, 10'000, false);
+    kernel(
+        "diagonal needles 20 k", [] { return diagonal_needles(20'000); }, ball, 40'000, false);
+    kernel(
+        "diagonal needles 200 k", [] { return diagonal_needles(200'000); }, ball, 10'000, false);
     kernel("flat D60, level floor", level_floor, flat, 40'000, false);
     kernel("ball D6, level floor", level_floor, ball, 250'000, false);
     kernel("grid, field 20 k", field(20'000), ball, 250'000, false);
@@ -336,8 +338,8 @@ std::vector<Row> rows_for(const std::function<Mesh()>& relief) {
     kernel("grid, relief", shared, ball, 250'000, false);
     kernel("isolated, relief", shared, ball, 100'000, true);
     if (opencamlib_is_here())
-        rows.push_back({"OpenCAMLib, parallel finish, step 1",
-                        [=] { return finish_by_opencamlib(relief()); }, A::points, "", true});
+        rows.push_back({"OpenCAMLib, parallel finish, step 1", [=] { return finish_by_opencamlib(relief()); },
+                        A::points, "", true});
     return rows;
 }
 

@@ -167,8 +167,7 @@ void GapCusp::look_between_rows(const Found& found, Block& block, double& worst)
     if (a_ && beside_line(found.x[0]) && inside(domain_a_, u, tolerance::contact_distance))
         look_between(v0_, at(v0_, block.hints[0]), v_[0], s[0], block.hints[0]);
     if (b_ && beside_line(found.y[rows - 1]) && inside(domain_b_, u, tolerance::contact_distance))
-        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, block.hints[rows - 1]),
-                     block.hints[rows - 1]);
+        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, block.hints[rows - 1]), block.hints[rows - 1]);
 }
 
 double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
@@ -206,23 +205,22 @@ void GapCusp::look_at_walls(const Found& found, Block& block, double& worst) con
     for (int i = 0; i + 1 < rows; ++i)
         if (s[i].valid && s[i + 1].valid
             && std::abs(s[i].tip_z - s[i + 1].tip_z) > std::max(wall_slope * (v_[i + 1] - v_[i]), in_.cusp))
-            worst = std::max(worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z,
-                                          block.hints[i]));
+            worst = std::max(
+                worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z, block.hints[i]));
     // Outermost rows against the lines themselves.
     const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line, int row) {
         if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
         const double z = field_.height_on(*line, u);
         if (std::abs(z - s[row].tip_z) > std::max(wall_slope * std::abs(v_[row] - line->v), in_.cusp))
-            worst = std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z,
-                                          block.hints[row]));
+            worst =
+                std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z, block.hints[row]));
     };
     to_line(a_, domain_a_, 0);
     to_line(b_, domain_b_, rows - 1);
 }
 
 /// A wall across the passes, between this column and the next.
-void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Block& block,
-                                 double& worst) const {
+void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Block& block, double& worst) const {
     const Sample& s = found.s[1];
     if (!s.valid || !columns_[column].joins_next) return;
     const double next = columns_[column + 1].u;
@@ -277,8 +275,8 @@ double GapCusp::between(double u, double v0, const Sample& s0, double v1, const 
     if (!s.valid) return 0;
     const double worst = left_at(u, s);
     if (worst > in_.cusp) return worst;
-    return std::max(
-        {worst, between(u, v0, s0, v, s, gap, depth - 1, hint), between(u, v, s, v1, s1, gap, depth - 1, hint)});
+    return std::max({worst, between(u, v0, s0, v, s, gap, depth - 1, hint),
+                     between(u, v, s, v1, s1, gap, depth - 1, hint)});
 }
 
 double GapCusp::hollow(const Sample& s0, const Sample& s1, double u, double v) const {

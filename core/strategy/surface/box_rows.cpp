@@ -59,8 +59,8 @@ void BoxRows::fill_rows(const Progress& progress) {
                 return boxes_[a].u.lo != boxes_[b].u.lo ? boxes_[a].u.lo < boxes_[b].u.lo : a < b;
             });
             for (const std::uint32_t i : row_items)
-                longest_[r] = std::max(
-                    longest_[r], rounded_up(double(boxes_[i].u.hi) - double(boxes_[i].u.lo)));
+                longest_[r] =
+                    std::max(longest_[r], rounded_up(double(boxes_[i].u.hi) - double(boxes_[i].u.lo)));
         }
     });
 }

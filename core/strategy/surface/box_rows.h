@@ -67,9 +67,8 @@ void BoxRows::visit(double v0, double v1, double u0, double u1, Visit&& visit) c
     const std::size_t first = row(v0), last = row(v1);
     for (std::size_t r = first; r <= last; ++r) {
         const auto end = items_.begin() + start_[r + 1];
-        auto at = std::lower_bound(
-            items_.begin() + start_[r], end, u0 - double(longest_[r]),
-            [this](std::uint32_t i, double u) { return double(boxes_[i].u.lo) < u; });
+        auto at = std::lower_bound(items_.begin() + start_[r], end, u0 - double(longest_[r]),
+                                   [this](std::uint32_t i, double u) { return double(boxes_[i].u.lo) < u; });
         for (; at != end; ++at) {
             const FlatBox& box = boxes_[*at];
             if (double(box.u.lo) > u1) break;

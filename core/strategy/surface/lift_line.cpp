@@ -33,8 +33,7 @@ struct FieldLine {
 /// What LineRefiner makes of the segments of a block, halving by halving.
 class RefinedBlock {
 public:
-    RefinedBlock(FieldLine& line, const LineTolerance& tolerance)
-        : line_(line), refiner_(line_, tolerance) {}
+    RefinedBlock(FieldLine& line, const LineTolerance& tolerance) : line_(line), refiner_(line_, tolerance) {}
 
     /// `nodes`: where on the line the segments end, two at least. Appends what lies on them, without the
     /// first end.
@@ -59,7 +58,7 @@ public:
 private:
     struct Piece {
         LinePoint a, mid, b;
-        LinePoint before{}, after{};  ///< a quarter from either end
+        LinePoint before{}, after{}; ///< a quarter from either end
         int depth = 0;
         enum class Kind { jump, straight, divided } kind = Kind::jump;
         std::size_t half = 0; ///< divided: its first half; the second one is next to it
@@ -109,8 +108,12 @@ private:
     void append(std::size_t i, std::vector<LinePoint>& out) const {
         const Piece& p = pieces_[i];
         switch (p.kind) {
-        case Piece::Kind::jump: refiner_.add_jump(p.a, p.b, out); break;
-        case Piece::Kind::straight: out.insert(out.end(), {p.before, p.mid, p.after, p.b}); break;
+        case Piece::Kind::jump:
+            refiner_.add_jump(p.a, p.b, out);
+            break;
+        case Piece::Kind::straight:
+            out.insert(out.end(), {p.before, p.mid, p.after, p.b});
+            break;
         case Piece::Kind::divided:
             append(p.half, out);
             append(p.half + 1, out);

@@ -59,7 +59,7 @@ private:
     }
     friend class StockField;
     double radius_, height_, flat_radius_ = 0;
-    std::uint64_t number_; ///< no other cutter has it, but for copies
+    std::uint64_t number_;                ///< no other cutter has it, but for copies
     std::vector<double> table_, covered_; ///< covered_: of an undercut cutter only
     std::array<double, squares> by_square_{};
 };

@@ -213,8 +213,15 @@ private slots:
             for (const AptCutter& cutter : cutters()) {
                 Random rng(9);
                 const AxialLift lift(index, CutterProfile(cutter));
-                for (const Vec2& p : grid_points(rng, named.size, trials(12, 2))) {
-                    const AxialContact contact = lift.contact(p.x(), p.y());
+                const std::vector<Vec2> places = grid_points(rng, named.size, trials(12, 2));
+                // One by one, and after them all together.
+                std::vector<AxialContact> contacts(2 * places.size());
+                for (std::size_t i = 0; i < places.size(); ++i)
+                    contacts[i] = lift.contact(places[i].x(), places[i].y());
+                lift.contact(places, std::span(contacts).subspan(places.size()), Progress());
+                for (std::size_t i = 0; i < contacts.size(); ++i) {
+                    const AxialContact& contact = contacts[i];
+                    const Vec2& p = places[i % places.size()];
                     QCOMPARE(contact.tip_z, lift.tip_z(p.x(), p.y()));
                     ++features[int(contact.feature)];
                     if (contact.feature == AxialContact::Feature::none) {
@@ -240,6 +247,30 @@ private slots:
             QVERIFY(features[1] + features[2] + features[3] > 100);
             if (std::strcmp(named.name, "waves") == 0)
                 QVERIFY(features[0] && features[1] && features[2] && features[3]);
+        }
+    }
+
+    /// Many facets touch a flat end on a level floor: whoever tells them from higher ones must not lose one
+    /// that is hardly higher.
+    void a_flat_end_finds_what_stands_hardly_higher_on_a_floor() {
+        Random rng(5);
+        for (int trial = 0; trial < 40; ++trial) {
+            auto mesh = field(
+                40, 80, [](double, double) { return 7.3; }, 0.3, std::uint64_t(trial + 1));
+            Vec3& higher = mesh->vertices[std::size_t(whole(rng, 0, int(mesh->vertices.size()) - 1))];
+            higher.z() += std::pow(10, -double(trial % 12) - 1);
+            const AxialLift lift(std::make_shared<ContactIndex>(mesh, Progress()),
+                                 CutterProfile(AptCutter::flat(60, 50)));
+            std::vector<Vec2> places;
+            for (int i = 0; i < 200; ++i)
+                places.push_back(higher.head<2>() + Vec2(uniform(rng, -40, 40), uniform(rng, -40, 40)));
+            std::vector<double> heights(places.size());
+            lift.tip_z(places, heights, Progress());
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const double away = (places[i] - higher.head<2>()).norm();
+                QCOMPARE(lift.tip_z(places[i].x(), places[i].y()), heights[i]);
+                if (away < 29.9) QCOMPARE(heights[i], higher.z());
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 #include "core/strategy/surface/slice.h"
 #include "core/strategy/surface/travel_direction.h"
 #include "tests/property/shapes.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/strategy/surface/slice_length.h"
 
@@ -108,6 +109,65 @@ private slots:
         const IntervalIndex none(
             0, [](std::size_t) { return std::pair(0.0, 1.0); }, Progress());
         none.visit(-1, 1, [](std::size_t) { QFAIL("an empty index holds nothing"); });
+    }
+
+    void boxes_are_found_as_by_a_scan() {
+        std::mt19937_64 rng(8);
+        std::uniform_real_distribution<double> at(-50, 50), width(0, 1);
+        std::vector<FlatBox> boxes(3000);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (i % 50 == 7) continue; // empty
+            const double u = at(rng), v = at(rng);
+            boxes[i].u.add(u, u + (i % 90 == 0 ? 60 : std::pow(width(rng), 4)));
+            boxes[i].v.add(v, v + (i % 100 == 0 ? 60 : std::pow(width(rng), 4)));
+        }
+        const BoxRows rows(boxes, Progress());
+        const auto meets = [](const FloatInterval& i, double lo, double hi) {
+            return i.lo <= i.hi && double(i.hi) >= lo && double(i.lo) <= hi;
+        };
+        for (int q = 0; q < 500; ++q) {
+            const double v0 = at(rng), v1 = v0 + (q % 2) * width(rng) * 20;
+            const double u0 = q % 3 == 0 ? -infinity : at(rng),
+                         u1 = q % 3 == 0 ? infinity : u0 + 5 * width(rng);
+            std::multiset<std::size_t> found, expected;
+            rows.visit(v0, v1, u0, u1, [&](std::size_t i, const FlatBox&) { found.insert(i); });
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                if (meets(boxes[i].u, u0, u1) && meets(boxes[i].v, v0, v1)) expected.insert(i);
+            QVERIFY(found == expected);
+        }
+        BoxRows({}, Progress()).visit(-1, 1, -1, 1, [](std::size_t, const FlatBox&) {
+            QFAIL("an empty index holds nothing");
+        });
+        QVERIFY(BoxRows(std::vector<FlatBox>(3), Progress()).empty());
+    }
+
+    void a_window_of_a_strip_is_a_part_of_it() {
+        std::mt19937_64 rng(9);
+        std::uniform_real_distribution<double> at(0, 60), width(0, 1);
+        Mesh mesh = *field(
+            30, 60, [](double x, double y) { return 3 * std::sin(0.4 * x) * std::cos(0.3 * y); }, 0.3);
+        std::erase_if(mesh.facets, [&](const auto&) { return width(rng) < 0.4; }); // gaps
+        const CutterProfile ball(AptCutter::ball(3, 30));
+        const CutterCover cover(ball, 1e-3);
+        const ContactDomain domain(mesh, DriveFrame(0.4), cover, 0.1, Progress());
+        for (int q = 0; q < 300; ++q) {
+            const double v0 = domain.lo() + (domain.hi() - domain.lo()) * width(rng), v1 = v0 + width(rng);
+            const double merge = 0.3 * width(rng), lo = at(rng);
+            const Interval within{lo, lo + 4 * width(rng)};
+            const auto cut = [&](std::vector<Interval> all) {
+                for (Interval& r : all)
+                    r = {std::max(r.lo, within.lo), std::min(r.hi, within.hi)};
+                std::erase_if(all, [](const Interval& r) { return !(r.lo <= r.hi); });
+                return all;
+            };
+            const auto whole = cut(domain.strip(v0, v1, merge)),
+                       part = cut(domain.strip(v0, v1, merge, &within));
+            QCOMPARE(part.size(), whole.size());
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                QCOMPARE(part[i].lo, whole[i].lo);
+                QCOMPARE(part[i].hi, whole[i].hi);
+            }
+        }
     }
 
     void a_plane_through_vertices_gives_one_chain() {

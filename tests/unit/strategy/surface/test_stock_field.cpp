@@ -132,6 +132,36 @@ private slots:
         }
     }
 
+    /// A cut that goes on where the last one ended leaves out what that has cut.
+    void cuts_that_go_on_leave_what_single_ones_leave() {
+        std::mt19937_64 rng(12);
+        std::uniform_real_distribution<double> at(-12, 12), height(1, 9), step(0, 1);
+        for (int shape = 0; shape < 4; ++shape) {
+            const CutterProfile p = profile(shape);
+            const StockCutter cutter(p), other(p);
+            for (int trial = 0; trial < trials(40, 8); ++trial) {
+                StockField on(block(Vec3(-15, -15, 0), Vec3(15, 15, 10)), 0.4, Progress()), alone = on;
+                Vec3 from(at(rng), at(rng), height(rng));
+                for (int i = 0; i < 12; ++i) {
+                    Vec3 to = from;
+                    const double kind = step(rng); // level, upright, sloped, a leap
+                    if (kind < 0.3 || kind > 0.5) to.head<2>() += Vec2(at(rng), at(rng)) * step(rng);
+                    if (kind > 0.3) to.z() = height(rng);
+                    on.cut(cutter, from, to);
+                    alone.cut(i % 2 ? cutter : other, from, to);
+                    alone.cut(other, from, from);
+                    if (kind > 0.9) to = {at(rng), at(rng), height(rng)};
+                    from = to;
+                }
+                for (int row = 0; row < on.rows(); ++row)
+                    for (int column = 0; column < on.columns(); ++column) {
+                        QVERIFY(std::abs(on.top(column, row) - alone.top(column, row)) < 1e-9);
+                        QVERIFY(std::abs(on.middle(column, row) - alone.middle(column, row)) < 1e-9);
+                    }
+            }
+        }
+    }
+
     void a_level_slot_is_exact() {
         for (int shape = 0; shape < 4; ++shape) {
             const CutterProfile p = profile(shape);
