@@ -8,20 +8,27 @@
 #include "core/gouge/vertex_slopes.h"
 
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace facetmill {
 
 namespace {
 
-/// A facet on its way into a block: its middle, for splitting only.
+/// A facet, or a piece of one, on its way into a block: its middle, for splitting only.
 struct Item {
     float at[3];
     Index facet;
+    std::uint16_t piece, pieces;
 };
 
 struct Range {
     std::size_t begin, end;
 };
+
+/// A facet is listed in pieces where its box in the plan is so many times as large as it is; in so many at
+/// most; and so many more than there are facets altogether.
+constexpr double worth_pieces = 16, max_pieces = 64, most_pieces_more = 1e6;
 
 float round_down(double v) {
     const float f = float(v);
@@ -47,7 +54,8 @@ void split(std::vector<Item>& items, std::size_t begin, std::size_t middle, std:
         if (hi[k] - lo[k] > hi[widest] - lo[widest]) widest = k;
     const auto at = [&](std::size_t i) { return items.begin() + std::ptrdiff_t(i); };
     std::nth_element(at(begin), at(middle), at(end), [widest](const Item& a, const Item& b) {
-        return a.at[widest] != b.at[widest] ? a.at[widest] < b.at[widest] : a.facet < b.facet;
+        if (a.at[widest] != b.at[widest]) return a.at[widest] < b.at[widest];
+        return a.facet != b.facet ? a.facet < b.facet : a.piece < b.piece;
     });
 }
 
@@ -119,6 +127,50 @@ void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint
     }
 }
 
+/// The corners of a facet, or of a piece of one: what lies between two planes across its longer side in the
+/// plan, and a little more, so that the pieces hold all of it.
+constexpr std::size_t max_piece_corners = 5;
+class PieceCorners {
+public:
+    PieceCorners(const Mesh& mesh, const Item& item) {
+        for (int k = 0; k < 3; ++k)
+            corners_[std::size_t(k)] = mesh.corner(item.facet, k);
+        if (item.pieces == 1) return;
+        Box3 box;
+        for (std::size_t k = 0; k < 3; ++k)
+            box.add(corners_[k]);
+        const int axis = box.size().x() >= box.size().y() ? 0 : 1;
+        const double lo = box.lo[axis], length = box.size()[axis], more = 1e-9 * length;
+        const auto at = [&](int piece) { return lo + length * (double(piece) / item.pieces); };
+        clip(axis, 1, at(item.piece) - more);
+        clip(axis, -1, -(at(item.piece + 1) + more));
+    }
+    std::size_t count() const { return count_; }
+    const Vec3& operator[](std::size_t k) const { return corners_[k]; }
+    Vec3 middle() const {
+        Box3 box;
+        for (std::size_t k = 0; k < count_; ++k)
+            box.add(corners_[k]);
+        return box.center();
+    }
+
+private:
+    /// Keeps what has sign * p[axis] >= least.
+    void clip(int axis, double sign, double least) {
+        const std::array<Vec3, max_piece_corners> before = corners_;
+        const std::size_t n = std::exchange(count_, 0);
+        for (std::size_t k = 0; k < n; ++k) {
+            const Vec3 &a = before[k], &b = before[(k + 1) % n];
+            const double da = sign * a[axis] - least, db = sign * b[axis] - least;
+            if (da >= 0) corners_[count_++] = a;
+            if ((da >= 0) != (db >= 0)) corners_[count_++] = a + da / (da - db) * (b - a);
+        }
+    }
+
+    std::array<Vec3, max_piece_corners> corners_;
+    std::size_t count_ = 3;
+};
+
 /// A plane over a box: no higher than z + x (at.x - mx) + y (at.y - my), with (mx, my) the middle of the box.
 struct Roof {
     double z = 0, x = 0, y = 0;
@@ -164,22 +216,23 @@ Roof lower_roof(double slope_x, double slope_y, double level, HighestOver&& high
     return z < level ? Roof{z, x, y} : Roof{level, 0, 0};
 }
 
-Cover cover_of(const FacetBlock& block, const Vec3& origin, const Mesh& mesh,
+Cover cover_of(std::span<const Item> items, const Vec3& origin, const Mesh& mesh,
                const std::vector<SlopeRange>& vertex_slopes) {
     Cover cover;
-    std::array<Vec3, 3 * block_width> points;
+    std::array<Vec3, max_piece_corners * block_width> points;
     std::size_t n = 0;
-    for (std::size_t lane = 0; lane < block_width; ++lane)
-        if (block.facet[lane] != no_index)
-            for (std::size_t k = 0; k < 3; ++k) {
-                cover.slopes.add(vertex_slopes[mesh.facets[block.facet[lane]][k]]);
-                points[n] = Vec3(block.x[k][lane], block.y[k][lane], block.z[k][lane]) - origin;
-                cover.box.add(points[n++]);
-            }
-    const Vec3 middle = cover.box.center();
     NormalSum normals;
-    for (std::size_t i = 0; i < n; i += 3)
-        normals.add((points[i + 1] - points[i]).cross(points[i + 2] - points[i]));
+    for (const Item& item : items) {
+        for (const Index v : mesh.facets[item.facet])
+            cover.slopes.add(vertex_slopes[v]);
+        const PieceCorners piece(mesh, item);
+        for (std::size_t k = 0; k < piece.count(); ++k) {
+            points[n] = piece[k] - origin;
+            cover.box.add(points[n++]);
+        }
+        normals.add(mesh.facet_cross(item.facet));
+    }
+    const Vec3 middle = cover.box.center();
     cover.slab = {normals.normal(), -infinity, -infinity};
     for (std::size_t i = 0; i < n; ++i) {
         const double out = cover.slab.normal.dot(points[i] - middle);
@@ -278,26 +331,61 @@ void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child
     node.child[lane] = child;
 }
 
-std::vector<Item> middles(const Mesh& mesh, const Progress& progress) {
-    std::vector<Item> items(mesh.facet_count());
-    parallel_for(items.size(), 20000, progress, [&](std::size_t f) {
-        Box3 box;
-        for (int k = 0; k < 3; ++k) {
-            if (mesh.facets[f][std::size_t(k)] >= mesh.vertices.size())
-                throw Error(ErrorCode::internal, "facet " + std::to_string(f),
-                            "names a vertex that does not exist", "report this");
-            const Vec3& p = mesh.corner(f, k);
-            const auto good = [](double v) {
-                return std::abs(v) <= tolerance::largest_coordinate;
-            }; // not for nan
-            if (!good(p.x()) || !good(p.y()) || !good(p.z()))
-                throw Error(ErrorCode::non_finite, "facet " + std::to_string(f),
-                            "has a corner that is not finite or out of range",
-                            "check the mesh's units and numbers");
-            box.add(p);
+void check_corners(const Mesh& mesh, std::size_t f) {
+    for (int k = 0; k < 3; ++k) {
+        if (mesh.facets[f][std::size_t(k)] >= mesh.vertices.size())
+            throw Error(ErrorCode::internal, "facet " + std::to_string(f),
+                        "names a vertex that does not exist", "report this");
+        const Vec3& p = mesh.corner(f, k);
+        const auto good = [](double v) {
+            return std::abs(v) <= tolerance::largest_coordinate;
+        }; // not for nan
+        if (!good(p.x()) || !good(p.y()) || !good(p.z()))
+            throw Error(ErrorCode::non_finite, "facet " + std::to_string(f),
+                        "has a corner that is not finite or out of range",
+                        "check the mesh's units and numbers");
+    }
+}
+
+/// In how many pieces a facet is best listed: a box about a needle that lies askew in the plan holds little
+/// of it, and boxes about its pieces hold little else.
+double pieces_wanted(const Mesh& mesh, std::size_t f, double extent) {
+    Box3 box;
+    for (int k = 0; k < 3; ++k)
+        box.add(mesh.corner(f, k));
+    const double x = box.size().x(), y = box.size().y(), length = std::max(x, y);
+    const double area = 0.5 * std::abs(mesh.facet_cross(f).z());
+    if (!(x * y > worth_pieces * area)) return 1;
+    const double by_waste = area > 0 ? std::sqrt(x * y / area) : max_pieces;
+    return std::clamp(std::floor(std::min(by_waste, max_pieces * length / extent)), 1.0, max_pieces);
+}
+
+std::vector<Item> listed_facets(const Mesh& mesh, const Progress& progress) {
+    const std::size_t n = mesh.facet_count();
+    std::vector<std::uint16_t> pieces(n, 1);
+    parallel_for(n, 20000, progress.part(0, 0.3), [&](std::size_t f) { check_corners(mesh, f); });
+    const Vec3 size = mesh.box().size();
+    const double extent = std::max({size.x(), size.y(), tolerance::smallest_extent});
+    const auto each = [&](auto&& call) { parallel_for(n, 20000, progress.part(0.3, 0.6), call); };
+    each([&](std::size_t f) { pieces[f] = std::uint16_t(pieces_wanted(mesh, f, extent)); });
+    double more = 0;
+    for (const std::uint16_t p : pieces)
+        more += p - 1;
+    const double share = std::min(1.0, most_pieces_more / std::max(more, 1.0));
+    if (share < 1)
+        each([&](std::size_t f) { pieces[f] = std::uint16_t(1 + std::floor(share * (pieces[f] - 1))); });
+    std::vector<std::size_t> first(n + 1, 0);
+    for (std::size_t f = 0; f < n; ++f)
+        first[f + 1] = first[f] + pieces[f];
+    std::vector<Item> items(first[n]);
+    parallel_for(n, 20000, progress.part(0.6, 1), [&](std::size_t f) {
+        for (std::uint16_t k = 0; k < pieces[f]; ++k) {
+            Item& item = items[first[f] + k];
+            item = {{}, Index(f), k, pieces[f]};
+            const Vec3 middle = PieceCorners(mesh, item).middle();
+            for (int axis = 0; axis < 3; ++axis)
+                item.at[axis] = float(middle[axis]);
         }
-        const Vec3 middle = box.center();
-        items[f] = {{float(middle.x()), float(middle.y()), float(middle.z())}, Index(f)};
     });
     return items;
 }
@@ -319,7 +407,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     std::vector<std::uint8_t> is_open;
     const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4), &is_open);
     const std::vector<SlopeRange> slopes = vertex_slopes(*mesh_, is_open, progress.part(0.4, 0.45));
-    std::vector<Item> items = middles(*mesh_, progress.part(0.45, 0.5));
+    std::vector<Item> items = listed_facets(*mesh_, progress.part(0.45, 0.5));
     Box3 box;
     for (std::size_t f = 0; f < mesh_->facet_count(); ++f)
         for (int k = 0; k < 3; ++k)
@@ -376,7 +464,8 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     // Boxes, roofs and slabs bottom up: children of a node come after it.
     std::vector<Cover> block_covers(whole_blocks), covers(impl_->nodes.size());
     parallel_for(whole_blocks, 2000, covering, [&](std::size_t b) {
-        block_covers[b] = cover_of(impl_->blocks[b], origin, *mesh_, slopes);
+        const std::size_t begin = b * block_width, end = std::min(items.size(), begin + block_width);
+        block_covers[b] = cover_of(std::span(items).subspan(begin, end - begin), origin, *mesh_, slopes);
     });
     for (std::size_t n = impl_->nodes.size(); n-- > 0;) {
         if (n % 4096 == 0) progress.check();

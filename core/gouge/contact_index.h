@@ -13,7 +13,8 @@ namespace facetmill {
 /// The facets of a mesh as the kernels of this room ask for them.
 class ContactIndex {
 public:
-    /// Takes at most 100 bytes of memory a facet, the mesh not counted. Throws Error(non_finite) for corners
+    /// Takes at most 100 bytes of memory a facet, the mesh not counted, and 100 MB more where many are long
+    /// and lie askew: those are listed in pieces. Throws Error(non_finite) for corners
     /// that are not finite or beyond tolerance::largest_coordinate.
     ContactIndex(MeshPtr mesh, const Progress& progress);
     ~ContactIndex();

@@ -106,24 +106,6 @@ Mesh made_up_relief() {
     return mesh;
 }
 
-/// Strips across the plate at 37 degrees, a fiftieth of a millimetre wide or less.
-MeshPtr diagonal_needles(std::size_t facets) {
-    const double angle = radians(37), c = std::cos(angle), s = std::sin(angle);
-    const auto mesh = std::make_shared<Mesh>();
-    const std::size_t strips = facets / 2;
-    for (std::size_t i = 0; i <= strips; ++i) {
-        const double v = needles_size * (double(i) / double(strips) - 0.5), z = 3 * std::sin(0.3 * v);
-        for (const double u : {-0.5 * needles_size, 0.5 * needles_size})
-            mesh->vertices.emplace_back(c * u - s * v, s * u + c * v, z);
-    }
-    for (std::size_t i = 0; i < strips; ++i) {
-        const Index a = Index(2 * i);
-        mesh->facets.push_back({a, a + 1, a + 3});
-        mesh->facets.push_back({a, a + 3, a + 2});
-    }
-    return mesh;
-}
-
 /// Level in the middle, round towards the borders, as the bottom of a hull.
 MeshPtr level_floor() {
     return test::field(
@@ -325,9 +307,11 @@ std::vector<Row> rows_for(const std::function<Mesh()>& relief) {
         rows.push_back({name, [=] { return lifts(mesh(), tool, count, isolated); }, A::lifts, "", true});
     };
     kernel(
-        "diagonal needles 20 k", [] { return diagonal_needles(20'000); }, ball, 40'000, false);
+        "diagonal needles 20 k", [] { return test::needles_askew(10'000, needles_size); }, ball, 40'000,
+        false);
     kernel(
-        "diagonal needles 200 k", [] { return diagonal_needles(200'000); }, ball, 10'000, false);
+        "diagonal needles 200 k", [] { return test::needles_askew(100'000, needles_size); }, ball, 10'000,
+        false);
     kernel("flat D60, level floor", level_floor, flat, 40'000, false);
     kernel("ball D6, level floor", level_floor, ball, 250'000, false);
     kernel("grid, field 20 k", field(20'000), ball, 250'000, false);

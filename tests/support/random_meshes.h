@@ -59,4 +59,24 @@ inline std::shared_ptr<Mesh> soup(int facets, double size, std::uint64_t seed) {
     return mesh;
 }
 
+/// Strips of two facets each at 37 degrees across a square from the origin; every `upright`th is an upright
+/// wall (0: none).
+inline std::shared_ptr<Mesh> needles_askew(int strips, double size, int upright = 0) {
+    const double c = 0.8, s = 0.6;
+    const auto mesh = std::make_shared<Mesh>();
+    for (int i = 0; i <= strips; ++i) {
+        const int row = upright > 0 ? i - i / upright : i;
+        const double v = size * (double(row) / strips - 0.5),
+                     z = 3 * std::sin(0.3 * v) + (upright > 0 ? i / upright % 3 : 0);
+        for (const double u : {-0.5 * size, 0.5 * size})
+            mesh->vertices.emplace_back(0.5 * size + c * u - s * v, 0.5 * size + s * u + c * v, z);
+    }
+    for (int i = 0; i < strips; ++i) {
+        const Index a = Index(2 * i);
+        mesh->facets.push_back({a, a + 1, a + 3});
+        mesh->facets.push_back({a, a + 3, a + 2});
+    }
+    return mesh;
+}
+
 } // namespace facetmill::test

@@ -75,6 +75,7 @@ std::vector<NamedMesh> meshes() {
          60},
         {"soup", soup(500, 60, 7), 60},
         {"globe", globe(30, 24), 60},
+        {"needles", needles_askew(240, 60, 5), 60},
     };
     // Three facets on an edge, a doubled facet, facets turned over, a sheet folded back over itself.
     auto folded = field(12, 60, waves, 0.2, 8);
