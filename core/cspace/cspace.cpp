@@ -104,6 +104,12 @@ double CSpaceBuilder::top(const ToolPose& pose, std::span<const RaisedCurve> cur
     return least;
 }
 
+double CSpaceBuilder::top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
+                          double enough) const {
+    if (!can_touch(input_.lift->cutter(), lead, input_.height)) return -infinity;
+    return curve_.lift(pose, curve, hint, enough);
+}
+
 bool CSpaceBuilder::holds(const ToolPose& pose) const {
     return pose.axis.z() >= input_.lowest_axis_z && (!input_.kinematics || input_.kinematics->reaches(pose));
 }

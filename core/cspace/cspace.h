@@ -94,6 +94,10 @@ public:
     double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
     /// The top of any pose: below 0 where it leaves more than it may at one of the curves.
     double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
+    /// Of one curve: the exact value up to `enough`, any number between it and that above. -inf where the
+    /// cutter cannot touch with this lead.
+    double top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
+               double enough) const;
 
     /// The whole space of one contact point. Needs input().grid.
     CSpace build(const ContactFrame& frame, std::span<const RaisedCurve> curves,

@@ -22,7 +22,7 @@ long StripWidth::planes_apart(const FiveAxisField& field) {
         1L, std::lround(field.settings().strip_look_share * field.radius() / field.lines().spacing()));
 }
 
-const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
+StripWidth::Look& StripWidth::look(int side, std::size_t number) {
     const auto& lines = field_.lines();
     const long own = lines.beyond(place_.v, place_.v);
     auto& looks = looks_[side > 0];
@@ -53,25 +53,28 @@ const StripWidth::Look& StripWidth::look(int side, std::size_t number) {
 
 StripWidth::Width StripWidth::operator()(const PostureValue& posture, int side) {
     const double most = StripWidth::max_width(field_);
-    double last_v = place_.v, last_margin = infinity;
+    const ToolPose pose =
+        posture_pose(field_.builder().input().lift->cutter(), place_.frame, {posture.lead, posture.yaw, 0});
+    // Of lines that are cleared it is enough to know that they are, but for the last of them.
+    const auto margin_at = [&](Look& at, double enough) {
+        return field_.builder().top(pose, posture.lead, at.line, at.hint, enough) - posture.delta;
+    };
+    double last_v = place_.v;
     for (std::size_t i = 0;; ++i) {
         // Beyond the last one that counts no line need be cut.
         if (std::abs(last_v - place_.v) > most) return {most, 0};
-        const Look& at = look(side, i);
+        Look& at = look(side, i);
         const double away = std::abs(at.v - place_.v);
         if (!at.holds) return {infinity, away};
-        const double margin =
-            field_.builder().top(place_.frame, posture.lead, posture.yaw, {&at.line, 1}) - posture.delta;
+        const double margin = margin_at(at, posture.delta);
         if (!(margin >= 0)) {
             // The margin falls ever faster: the straight line between two looks is on the safe side.
-            double share = 0;
-            if (std::isfinite(last_margin) && std::isfinite(margin))
-                share = last_margin / (last_margin - margin);
+            const double last = i > 0 ? margin_at(look(side, i - 1), infinity) : infinity;
+            const double share = std::isfinite(last) && std::isfinite(margin) ? last / (last - margin) : 0;
             return {used_width * std::abs(last_v + share * (at.v - last_v) - place_.v), at.ends ? away : 0};
         }
         if (at.ends) return {infinity, away};
         last_v = at.v;
-        last_margin = margin;
     }
 }
 

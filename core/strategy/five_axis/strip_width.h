@@ -40,8 +40,9 @@ private:
         double v = 0;
         bool ends = false, holds = true; ///< the surface ends here; there is a line
         RaisedCurve line;
+        CurveLift::Hint hint; ///< where the posture before touched the line
     };
-    const Look& look(int side, std::size_t number);
+    Look& look(int side, std::size_t number);
 
     const FiveAxisField& field_;
     const ContactPlace& place_;
