@@ -94,8 +94,8 @@ public:
     double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
     /// The top of any pose: below 0 where it leaves more than it may at one of the curves.
     double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
-    /// Of one curve: the exact value up to `enough`, any number between it and that above. -inf where the
-    /// cutter cannot touch with this lead.
+    /// The same for one curve: the exact value up to `enough`, any number between it and that above. -inf
+    /// where the cutter cannot touch with this lead.
     double top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
                double enough) const;
 

@@ -56,7 +56,7 @@ public:
     /// The same height, and where it comes from. With an allowance the touched point is that distance away
     /// from the cutter.
     AxialContact contact(double x, double y) const;
-    /// Of several places that are touched at once the hint may choose another one.
+    /// The same; where several places are touched at once the hint may choose another one.
     AxialContact contact(double x, double y, LiftHint& hint) const;
     /// Tip heights for many points, in parallel; the same bits as `tip_z` one by one. Throws Error(internal)
     /// when the two spans differ in length. Points are arranged by where they are; those of a grid that is

@@ -28,7 +28,7 @@ struct Range {
 
 /// A facet is listed in pieces where its box in the plan is so many times as large as it is; in so many at
 /// most; and so many more than there are facets altogether.
-constexpr double worth_pieces = 16, max_pieces = 64, most_pieces_more = 1e6;
+constexpr double worth_pieces = 16, max_pieces = 64, max_more_pieces = 1e6;
 
 float round_down(double v) {
     const float f = float(v);
@@ -371,7 +371,7 @@ std::vector<Item> listed_facets(const Mesh& mesh, const Progress& progress) {
     double more = 0;
     for (const std::uint16_t p : pieces)
         more += p - 1;
-    const double share = std::min(1.0, most_pieces_more / std::max(more, 1.0));
+    const double share = std::min(1.0, max_more_pieces / std::max(more, 1.0));
     if (share < 1)
         each([&](std::size_t f) { pieces[f] = std::uint16_t(1 + std::floor(share * (pieces[f] - 1))); });
     std::vector<std::size_t> first(n + 1, 0);

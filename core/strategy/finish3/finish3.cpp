@@ -6,6 +6,7 @@
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/partial_lines.h"
+#include "core/strategy/finish3/pass_maker.h"
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/travel_choice.h"
 #include "core/strategy/finish3/uncut.h"
@@ -68,7 +69,6 @@ private:
     std::vector<Placed> place_planes(const Progress& progress);
     std::vector<PlannedLine> with_partial_lines(std::vector<Placed> planes, const Progress& progress);
     void add_passes(const std::vector<PlannedLine>& lines, const Progress& progress);
-    std::vector<Pass> passes_of(const PlannedLine& line, const Progress& progress) const;
     void check_size(const StepOver& stepover) const;
     void check_planes(std::size_t planes) const;
     void check_uncut(const Progress& progress);
@@ -77,10 +77,8 @@ private:
     void leave_out_beside_stock(const Progress& progress);
     void leave_out_cut(const Progress& progress);
     void order_passes(const Progress& progress);
-    Pass make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
-    CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     ContactAt contact_at() const {
-        return [this](const Vec3& tip) { return contact_of(tip, lift_.contact(tip.x(), tip.y())); };
+        return [this](const Vec3& tip) { return maker_->contact(tip); };
     }
     Progress still(double fraction) const { return progress_.part(fraction, fraction); }
     /// Share of the whole plan that is done when this share of the passes is made.
@@ -97,9 +95,9 @@ private:
     AxialLift lift_;
     DriveFrame frame_;
     std::optional<ContactDomain> domain_;
-    LiftField field_;
     LineTolerance fine_;
     std::optional<StepOver> stepover_;
+    std::optional<PassMaker> maker_;
     StrategyResult result_;
     UncutReport uncut_;
     HeldOut held_;
@@ -152,8 +150,9 @@ StrategyResult Planner::run(double direction) {
                     std::string("no facet of the part can be cut ") + context_.seen_from() + ": all "
                         + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
                     "rotate the part");
-    field_ = {&lift_, domain_->lowest_tip()};
     stepover_.emplace(input_for(direction, *domain_));
+    maker_.emplace(*stepover_, LiftField{&lift_, domain_->lowest_tip()}, cover_, frame_, fine_,
+                   settings_.normal_limit);
     check_size(*stepover_);
 
     progress_.part(placed(0), 1, "Placing drive planes").set(0);
@@ -308,7 +307,7 @@ std::vector<PlannedLine> Planner::with_partial_lines(std::vector<Placed> planes,
 void Planner::add_passes(const std::vector<PlannedLine>& lines, const Progress& progress) {
     std::vector<std::vector<Pass>> passes(lines.size());
     parallel_for(lines.size(), 1, progress,
-                 [&](std::size_t i) { passes[i] = passes_of(lines[i], progress.part(0, 0)); });
+                 [&](std::size_t i) { passes[i] = maker_->passes(lines[i], progress.part(0, 0)); });
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int drive = lines_++;
         if (!lines[i].within) ++result_.drive_planes;
@@ -323,75 +322,6 @@ void Planner::add_passes(const std::vector<PlannedLine>& lines, const Progress& 
             result_.passes.push_back(std::move(p));
         }
     }
-}
-
-std::vector<Pass> Planner::passes_of(const PlannedLine& line, const Progress& progress) const {
-    std::vector<Pass> passes;
-    const Interval* within = line.within ? &*line.within : nullptr;
-    for (const Interval& range : stepover_->ranges(line.v, line.back, line.ahead, within)) {
-        const auto points =
-            lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
-        passes.push_back(make_pass(thinned(points, fine_.below, fine_.above), line.v, progress));
-        passes.back().offset = line.v;
-    }
-    return passes;
-}
-
-CutterContact Planner::contact_of(const Vec3& tip, const AxialContact& contact) const {
-    if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
-    const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
-    const auto open = cover_.contact_normal(contact.point - lifted);
-    Vec3 normal = open ? *open : context_.contact->mesh().facet_normal(contact.facet);
-    if (normal.z() < 0) normal = -normal;
-    return {contact.point, normal};
-}
-
-Pass Planner::make_pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const {
-    struct Place {
-        LinePoint at;
-        CutterLocation cl;
-        CutterContact cc;
-    };
-    const auto placed_at = [&](const LinePoint& p, LiftHint& hint) {
-        const Vec3 tip = frame_.point(p.s, v, p.z);
-        return Place{p, {tip, Vec3(0, 0, 1)}, contact_of(tip, lift_.contact(tip.x(), tip.y(), hint))};
-    };
-    const double cos_limit = std::cos(settings_.normal_limit), shortest = 0.25 * fine_.spacing;
-    const auto add = [](const Place& p, Pass& pass) {
-        pass.cl.push_back(p.cl);
-        pass.cc.push_back(p.cc);
-    };
-    // Between a and b (both placed elsewhere), more points while the normal turns too much.
-    const auto fill = [&](const auto& self, const Place& a, const Place& b, LiftHint& hint,
-                          Pass& pass) -> void {
-        if (a.cc.normal.dot(b.cc.normal) >= cos_limit || b.at.s - a.at.s < 2 * shortest) return;
-        LinePoint mid{0.5 * (a.at.s + b.at.s), 0};
-        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along, hint);
-        const Place middle = placed_at(mid, hint);
-        self(self, a, middle, hint, pass);
-        add(middle, pass);
-        self(self, middle, b, hint, pass);
-    };
-    constexpr std::size_t block = 64;
-    std::vector<Pass> parts((points.size() - 1) / block + 1);
-    parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
-        Pass& part = parts[begin / block];
-        LiftHint hint;
-        Place here = placed_at(points[begin], hint);
-        for (std::size_t i = begin; i < end; ++i) {
-            add(here, part);
-            if (i + 1 == points.size()) break;
-            const Place next = placed_at(points[i + 1], hint);
-            fill(fill, here, next, hint, part);
-            here = next;
-        }
-    });
-    Pass pass;
-    for (const Pass& p : parts) {
-        pass.cl.insert(pass.cl.end(), p.cl.begin(), p.cl.end());
-        pass.cc.insert(pass.cc.end(), p.cc.begin(), p.cc.end());
-    }
-    return pass;
 }
 
 void Planner::check_uncut(const Progress& progress) {

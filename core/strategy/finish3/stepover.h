@@ -71,6 +71,8 @@ public:
     /// How far a partial line goes beyond the range that asks for it, mm.
     double beyond() const { return beyond_share * in_.cover->radius(); }
 
+    /// The part, with what must not be cut beside it.
+    const Mesh& mesh() const { return in_.contact->mesh(); }
     double allowed_cusp() const { return in_.cusp; }
     double smallest_step() const { return smallest_; }
     double largest_step() const { return largest_; }

@@ -215,30 +215,38 @@ void short_pieces(double length, double longest, Piece&& piece) {
 
 } // namespace
 
-void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
+namespace {
+
+/// Where on the line at y a disc that is moved from a to b comes: a disc at either end, and what is between
+/// the two sides.
+Interval swept_range(const Vec2& a, const Vec2& b, double radius, double y) {
     const Vec2 motion = b - a;
     const double length = motion.norm();
     const Vec2 side = length > 0 ? Vec2(Vec2(-motion.y(), motion.x()) * (radius / length)) : Vec2(0, radius);
+    Interval range{infinity, -infinity};
+    for (const Vec2& end : {a, b}) {
+        const double rest = radius * radius - (y - end.y()) * (y - end.y());
+        if (rest < 0) continue;
+        range = {std::min(range.lo, end.x() - std::sqrt(rest)),
+                 std::max(range.hi, end.x() + std::sqrt(rest))};
+    }
+    for (const double s : {-1.0, 1.0}) {
+        const Vec2 p = a + s * side, q = b + s * side;
+        if ((p.y() - y) * (q.y() - y) > 0 || p.y() == q.y()) continue;
+        const double x = p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+        range = {std::min(range.lo, x), std::max(range.hi, x)};
+    }
+    return range;
+}
+
+} // namespace
+
+void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
     const double low = std::min(a.y(), b.y()) - radius, high = std::max(a.y(), b.y()) + radius;
     const int row0 = std::max(0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)));
     const int row1 = std::min(rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)));
     for (int row = row0; row <= row1; ++row) {
-        // The place is convex: a disc at either end, and what is between the two sides.
-        const double y = box_.lo.y() + (row + 0.5) * cell_;
-        double from = infinity, to = -infinity;
-        for (const Vec2& end : {a, b}) {
-            const double rest = radius * radius - (y - end.y()) * (y - end.y());
-            if (rest < 0) continue;
-            from = std::min(from, end.x() - std::sqrt(rest));
-            to = std::max(to, end.x() + std::sqrt(rest));
-        }
-        for (const double s : {-1.0, 1.0}) {
-            const Vec2 p = a + s * side, q = b + s * side;
-            if ((p.y() - y) * (q.y() - y) > 0 || p.y() == q.y()) continue;
-            const double x = p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
-            from = std::min(from, x);
-            to = std::max(to, x);
-        }
+        const auto [from, to] = swept_range(a, b, radius, box_.lo.y() + (row + 0.5) * cell_);
         if (!(from <= to)) continue;
         const int column0 = std::max(0, int(std::ceil((from - box_.lo.x()) / cell_ - 0.5)));
         const int column1 = std::min(columns_ - 1, int(std::floor((to - box_.lo.x()) / cell_ - 0.5)));

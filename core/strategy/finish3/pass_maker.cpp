@@ -1,0 +1,79 @@
+#include "core/strategy/finish3/pass_maker.h"
+
+#include "core/base/parallel.h"
+
+#include <cmath>
+
+namespace facetmill {
+
+std::vector<Pass> PassMaker::passes(const PlannedLine& line, const Progress& progress) const {
+    std::vector<Pass> all;
+    const Interval* within = line.within ? &*line.within : nullptr;
+    for (const Interval& range : stepover_.ranges(line.v, line.back, line.ahead, within)) {
+        const auto points =
+            lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
+        all.push_back(pass(thinned(points, fine_.below, fine_.above), line.v, progress));
+        all.back().offset = line.v;
+    }
+    return all;
+}
+
+CutterContact PassMaker::contact(const Vec3& tip, LiftHint& hint) const {
+    const AxialContact contact = field_.lift->contact(tip.x(), tip.y(), hint);
+    if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
+    const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
+    const auto open = cover_.contact_normal(contact.point - lifted);
+    Vec3 normal = open ? *open : stepover_.mesh().facet_normal(contact.facet);
+    if (normal.z() < 0) normal = -normal;
+    return {contact.point, normal};
+}
+
+Pass PassMaker::pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const {
+    struct Place {
+        LinePoint at;
+        CutterLocation cl;
+        CutterContact cc;
+    };
+    const auto placed_at = [&](const LinePoint& p, LiftHint& hint) {
+        const Vec3 tip = frame_.point(p.s, v, p.z);
+        return Place{p, {tip, Vec3(0, 0, 1)}, contact(tip, hint)};
+    };
+    const double cos_limit = std::cos(normal_limit_), shortest = 0.25 * fine_.spacing;
+    const auto add = [](const Place& p, Pass& to) {
+        to.cl.push_back(p.cl);
+        to.cc.push_back(p.cc);
+    };
+    // Between a and b (both placed elsewhere), more points while the normal turns too much.
+    const auto fill = [&](const auto& self, const Place& a, const Place& b, LiftHint& hint,
+                          Pass& to) -> void {
+        if (a.cc.normal.dot(b.cc.normal) >= cos_limit || b.at.s - a.at.s < 2 * shortest) return;
+        LinePoint mid{0.5 * (a.at.s + b.at.s), 0};
+        mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along, hint);
+        const Place middle = placed_at(mid, hint);
+        self(self, a, middle, hint, to);
+        add(middle, to);
+        self(self, middle, b, hint, to);
+    };
+    constexpr std::size_t block = 64;
+    std::vector<Pass> parts((points.size() - 1) / block + 1);
+    parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
+        Pass& part = parts[begin / block];
+        LiftHint hint;
+        Place here = placed_at(points[begin], hint);
+        for (std::size_t i = begin; i < end; ++i) {
+            add(here, part);
+            if (i + 1 == points.size()) break;
+            const Place next = placed_at(points[i + 1], hint);
+            fill(fill, here, next, hint, part);
+            here = next;
+        }
+    });
+    Pass whole;
+    for (const Pass& p : parts) {
+        whole.cl.insert(whole.cl.end(), p.cl.begin(), p.cl.end());
+        whole.cc.insert(whole.cc.end(), p.cc.begin(), p.cc.end());
+    }
+    return whole;
+}
+
+} // namespace facetmill
