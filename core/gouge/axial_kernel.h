@@ -47,8 +47,8 @@ struct AxialPacket {
 using AxialKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialQuery&, AxialAnswer&);
 /// The answers for the places of a packet.
 struct AxialPacketAnswer {
-    double tips[AxialPacket::max_places];         ///< the same bits as one query for each
-    std::uint32_t slots[AxialPacket::max_places]; ///< a facet that each place's cutter touches, or no_slot
+    double tips[AxialPacket::max_places];           ///< the same bits as one query for each
+    std::uint32_t touched[AxialPacket::max_places]; ///< a facet that each place's cutter touches, or no_slot
 };
 using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&, AxialPacketAnswer&);
 /// Gives the highest lift over a polyline of `count` points (x, y, z each), any axis. It reads of the query

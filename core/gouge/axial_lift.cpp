@@ -300,7 +300,7 @@ void AxialLift::each_of(std::span<const Vec2> points, const Progress& progress, 
             AxialPacketAnswer answer;
             axial_kernels().packet(view, *surface_, packet, answer);
             for (std::size_t k = 0; k < count; ++k)
-                take(left[k].number, answer.tips[k] + allowance_, answer.slots[k]);
+                take(left[k].number, answer.tips[k] + allowance_, answer.touched[k]);
             i += count;
         }
     });

@@ -411,7 +411,7 @@ void packet(const IndexView& index, const SurfaceTable& surface, const AxialPack
     if (!index.nodes) {
         for (double& tip : answer.tips)
             tip = no_lift;
-        for (std::uint32_t& slot : answer.slots)
+        for (std::uint32_t& slot : answer.touched)
             slot = no_slot;
     } else if (surface.shape == SurfaceShape::ball) {
         PacketSearch<SurfaceShape::ball>(index, surface, packet, first, answer).run();

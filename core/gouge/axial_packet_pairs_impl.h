@@ -20,7 +20,7 @@ struct PacketPlaces : PreparedBounds<shape> {
 
     const AxialPacket& packet;
     double* tips; ///< the answers, as far as they are known
-    std::uint32_t* slots;
+    std::uint32_t* touched_slots;
 
     alignas(64) double place_x[place_lanes], place_y[place_lanes];
     PlaceFloats dx, dy;                               ///< the places from the first
@@ -35,7 +35,7 @@ struct PacketPlaces : PreparedBounds<shape> {
 
     FACETMILL_MEMBER PacketPlaces(const IndexView& i, const SurfaceTable& s, const AxialPacket& p,
                                   const AxialQuery& first, AxialPacketAnswer& answer)
-        : PreparedBounds<shape>(i, s, first), packet(p), tips(answer.tips), slots(answer.slots) {
+        : PreparedBounds<shape>(i, s, first), packet(p), tips(answer.tips), touched_slots(answer.touched) {
         float x[place_lanes], y[place_lanes];
         for (int k = 0; k < place_lanes; ++k) {
             const int place = k < packet.count ? k : 0;
@@ -44,7 +44,7 @@ struct PacketPlaces : PreparedBounds<shape> {
             x[k] = float(place_x[k] - first.place[0]);
             y[k] = float(place_y[k] - first.place[1]);
             tips[k] = no_lift;
-            slots[k] = no_slot;
+            touched_slots[k] = no_slot;
         }
         dx = load_places(x);
         dy = load_places(y);
@@ -74,7 +74,7 @@ template <SurfaceShape shape>
 struct PacketPairs : PacketPlaces<shape> {
     using Base = PacketPlaces<shape>;
     using Base::edge_bounds, Base::rounded_down, Base::raise;
-    using Base::index, Base::surface, Base::zero, Base::packet, Base::tips, Base::slots, Base::least;
+    using Base::index, Base::surface, Base::zero, Base::packet, Base::tips, Base::touched_slots, Base::least;
     using typename Base::Places;
     template <class F>
     using EdgeLanes = typename Base::template EdgeLanes<F>;
@@ -216,7 +216,7 @@ struct PacketPairs : PacketPlaces<shape> {
             const int place = tested_place[w];
             if (!(floor4[w] > tips[place])) continue;
             tips[place] = floor4[w];
-            slots[place] = tested_slot[w];
+            touched_slots[place] = tested_slot[w];
             raise(place, rounded_down(floor4[w]));
         }
         taken = 0;
