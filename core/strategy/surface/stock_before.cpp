@@ -9,6 +9,7 @@ StockField stock_before(const PlanContext& context, double cell, const Progress&
         solid.box = context.stock_box;
     }
     StockField field(solid, cell, progress.part(0, 0.5));
+    if (from > -infinity) field.forget_below(from);
     for (const auto& earlier : context.earlier) {
         const StockCutter cutter{CutterProfile(earlier->cutter)};
         std::size_t done = 0;
@@ -16,7 +17,6 @@ StockField stock_before(const PlanContext& context, double cell, const Progress&
             if (++done % 64 == 0) progress.check();
             field.cut(cutter, a, b);
         }
-        if (from > -infinity) field.forget_below(from);
     }
     progress.set(1);
     return field;

@@ -141,8 +141,9 @@ void StockField::find_run_tops() {
 }
 
 void StockField::forget_below(double z) {
+    forgotten_ = z;
     for (Cell& cell : cells_)
-        if (cell.top <= z) cell = {-infinity, -infinity};
+        forget_low(cell);
     find_run_tops();
 }
 
@@ -255,9 +256,11 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
         for (int begin = column0; begin <= column1;) {
             const int start = begin / run * run, end = std::min(column1, start + run - 1);
             if (tops[begin / run] > z) {
-                for (int column = begin; column <= end; ++column)
+                for (int column = begin; column <= end; ++column) {
                     for (double* height : {&cells[column].top, &cells[column].middle})
                         if (*height > z && *height <= top) *height = z;
+                    forget_low(cells[column]);
+                }
                 double most = -infinity;
                 for (int column = start; column < std::min(columns_, start + run); ++column)
                     most = std::max(most, cells[column].top);
@@ -302,13 +305,13 @@ void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3&
         };
         if (middle) lower_to(cell.middle, 0);
         if (top) lower_to(cell.top, half_diagonal_);
+        forget_low(cell);
         return true;
     };
-    const Vec2 everywhere = Vec2::Zero();
     near_line(
         *this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
         [&](Cell& cell, double square, double t) { return lower(cell, square, p.z() + t * (q.z() - p.z())); },
-        stood_at_p ? on : everywhere);
+        stood_at_p ? on : Vec2(Vec2::Zero()));
     // Ahead of its lower end, that was the nearest.
     const bool falls = q.z() < p.z();
     if (p.z() == q.z() || (!falls && stood_at_p)) return;

@@ -83,8 +83,8 @@ public:
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
     double highest() const; ///< top of all
-    /// Cells on which nothing stands higher than z are as if without material: whoever asks only what is
-    /// higher spends no time on them.
+    /// Cells on which nothing stands higher than z, from now on, are as if without material: whoever asks
+    /// only what is higher spends no time on them.
     void forget_below(double z);
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
@@ -113,6 +113,9 @@ private:
         return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
     }
     void find_run_tops();
+    void forget_low(Cell& cell) const {
+        if (cell.top <= forgotten_) cell = {-infinity, -infinity};
+    }
     /// What stands over cells whose centre is within `radius` of the line from a to b, but not above `top`,
     /// is cut down to z.
     void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top);
@@ -130,6 +133,7 @@ private:
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;
+    double forgotten_ = -infinity; ///< what stands no higher is
     int columns_ = 0, rows_ = 0;
     std::vector<Cell> cells_;
     static constexpr int run = 8; ///< cells of a row

@@ -162,6 +162,33 @@ private slots:
         }
     }
 
+    /// What is forgotten stays so under later cuts, and what is higher is as without.
+    void what_is_forgotten_changes_nothing_above_it() {
+        std::mt19937_64 rng(13);
+        std::uniform_real_distribution<double> at(-14, 14), height(1, 9);
+        for (int shape = 0; shape < 4; ++shape) {
+            const StockCutter cutter(profile(shape));
+            for (int trial = 0; trial < trials(20, 4); ++trial) {
+                const double low = height(rng);
+                StockField all(block(Vec3(-15, -15, 0), Vec3(15, 15, 10)), 0.4, Progress()), high = all;
+                if (trial % 2) high.forget_below(low);
+                for (int i = 0; i < 20; ++i) {
+                    const Vec3 a(at(rng), at(rng), height(rng)),
+                        b(at(rng), at(rng), i % 3 ? a.z() : height(rng));
+                    all.cut(cutter, a, b);
+                    high.cut(cutter, a, b);
+                    if (i == 7) high.forget_below(low);
+                }
+                for (int row = 0; row < all.rows(); ++row)
+                    for (int column = 0; column < all.columns(); ++column) {
+                        const double top = all.top(column, row);
+                        QCOMPARE(high.top(column, row), top > low ? top : -infinity);
+                    }
+                QCOMPARE(high.highest(), all.highest() > low ? all.highest() : -infinity);
+            }
+        }
+    }
+
     void a_level_slot_is_exact() {
         for (int shape = 0; shape < 4; ++shape) {
             const CutterProfile p = profile(shape);
