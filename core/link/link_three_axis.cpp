@@ -1,4 +1,5 @@
 #include "core/base/tolerances.h"
+#include "core/link/later_cuts.h"
 #include "core/link/link.h"
 #include "core/link/straight_up.h"
 #include "core/strategy/plan/pass_order.h"
@@ -41,37 +42,44 @@ std::vector<CutterLocation> on_surface(const CutterLocation& from, const CutterL
 /// in a rapid.
 class DescentOver {
 public:
-    DescentOver(const PlanContext& context, const LinkOptions& options, const Progress& progress)
+    /// `lowest`: of the tips that are fed.
+    DescentOver(const PlanContext& context, const LinkOptions& options, double lowest,
+                const Progress& progress)
         : profile_(context.tool.cutter()), cutter_(profile_), bodies_(context.tool, profile_, 0),
-          clearance_(std::min(options.clearance, near_share * profile_.max_radius())), up_(context.tool) {
+          clearance_(std::min(options.clearance, near_share * profile_.max_radius())), up_(context.tool),
+          reach_(2 * profile_.max_radius()) {
         if (context.stock.box.empty() && context.earlier.empty()) return;
-        field_ = stock_before(context, cell_share * profile_.max_radius(), progress);
+        for (const HolderSection& s : context.tool.holder)
+            reach_ = std::max(reach_, 0.5 * s.diameter + profile_.max_radius());
+        reach_ = std::max(reach_, 0.5 * context.tool.shank_diameter + profile_.max_radius());
+        stock_.emplace(stock_before(context, cell_share * profile_.max_radius(), progress), profile_, lowest);
     }
 
     /// Where a rapid straight down to a tip ends: at `top` where nothing is known of the stock.
-    double down_to(const Vec3& tip, double top) const {
-        if (!field_) return top;
+    double down_to(const Vec3& tip, double top) {
+        if (!stock_) return top;
         const Vec2 p = tip.head<2>();
+        const StockField& field = stock_->about(p, reach_);
         const double stands =
-            std::max({field_->clear_height(cutter_, p, p), bodies_.clear_height(*field_, p, p), tip.z()});
+            std::max({field.clear_height(cutter_, p, p), bodies_.clear_height(field, p, p), tip.z()});
         return std::min(top, stands + clearance_);
     }
     /// Where a rapid straight up from a tip begins. What stands higher than the cutter beside a slimmer
     /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
-    double up_from(const Vec3& tip, double top) const {
-        if (!field_ || up_.is_undercut()) return top;
+    double up_from(const Vec3& tip, double top) {
+        if (!stock_ || up_.is_undercut()) return top;
         // Shank and holder may have been brought into stock that nobody roughed.
         const Vec2 p = tip.head<2>();
-        if (!up_.is_free(*field_, tip) || bodies_.clear_height(*field_, p, p) > tip.z())
-            return down_to(tip, top);
+        const StockField& field = stock_->about(p, reach_);
+        if (!up_.is_free(field, tip) || bodies_.clear_height(field, p, p) > tip.z()) return down_to(tip, top);
         return std::min(top, tip.z() + clearance_);
     }
     /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high
     /// as the wall for ever, so that along a wall nothing is known to be gone. None where that is no shorter
     /// than `slow`, the way down at feed.
-    std::optional<Vec3> beside(const Vec3& tip, double slow, const LiftField& part, double spacing) const {
+    std::optional<Vec3> beside(const Vec3& tip, double slow, const LiftField& part, double spacing) {
         std::optional<Vec3> best;
-        if (!field_) return best;
+        if (!stock_) return best;
         double least = worth_share * slow;
         for (const double away : {0.25, 0.5})
             for (int k = 0; k < directions; ++k) {
@@ -88,17 +96,18 @@ public:
     /// What a rapid keeps from what stands, mm.
     double clearance() const { return clearance_; }
     void feed(const Vec3& from, const Vec3& to) {
-        if (field_) field_->cut(cutter_, from, to);
+        if (stock_) stock_->feed(from, to);
     }
 
 private:
     /// Straight down to a tip from beside it: cutter, shank and holder keep out of the part, the latter two
     /// of the stock, too.
-    bool is_clear(const Vec3& place, const Vec3& tip, const LiftField& part, double spacing) const {
+    bool is_clear(const Vec3& place, const Vec3& tip, const LiftField& part, double spacing) {
         const Vec2 from = place.head<2>(), to = tip.head<2>();
-        if (bodies_.clear_height(*field_, from, to) > tip.z()) return false;
+        const StockField& field = stock_->about(to, reach_);
+        if (bodies_.clear_height(field, from, to) > tip.z()) return false;
         // A shank as wide as the cutter comes down in what that has cut, but not sideways.
-        if (up_.stands_above(*field_, from, to, tip.z())) return false;
+        if (up_.stands_above(field, from, to, tip.z())) return false;
         const double parts = std::floor((place - tip).norm() / spacing) + 1;
         LiftHint hint;
         for (double i = 0; i < parts; ++i) {
@@ -120,7 +129,9 @@ private:
     UprightBodies bodies_;
     double clearance_;
     StraightUp up_;
-    std::optional<StockField> field_;
+    /// Of what is asked about a tip: half a radius beside it, and there the widest body.
+    double reach_;
+    std::optional<LaterCuts> stock_;
 };
 
 } // namespace
@@ -157,13 +168,16 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 
     const LiftField part{&lift, -infinity, &bodies};
     double top = std::max(context.kept_off_box().hi.z(), context.stock_box.hi.z()) + allowance;
+    double lowest = infinity;
     for (const Pass& pass : path.passes)
-        for (const CutterLocation& c : pass.cl)
+        for (const CutterLocation& c : pass.cl) {
             top = std::max(top, c.tip.z());
+            lowest = std::min(lowest, c.tip.z());
+        }
     ToolMotions result;
     result.clearance_z = top + options.clearance;
 
-    DescentOver stock(context, options, progress.part(0, 0.1));
+    DescentOver stock(context, options, lowest, progress.part(0, 0.1));
     const auto add = [&](MotionKind kind, const CutterLocation& to, Index pass = no_index,
                          Index point = no_index) {
         if (kind != MotionKind::rapid) stock.feed(result.motions.back().to.tip, to.tip);

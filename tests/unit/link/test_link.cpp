@@ -1,5 +1,6 @@
 // Links and clearance moves: near passes on the surface, far ones over everything.
 #include "core/link/envelope.h"
+#include "core/link/later_cuts.h"
 #include "core/link/link.h"
 #include "core/link/shank_in_stock.h"
 #include "core/link/tilted_stock.h"
@@ -63,6 +64,44 @@ const Mesh& level() {
 class TestLink : public QObject {
     Q_OBJECT
 private slots:
+    /// Against a field that is cut at once.
+    void cuts_that_are_made_later_are_there_when_asked() {
+        std::mt19937_64 rng(21);
+        std::uniform_real_distribution<double> at(-45, 45), height(1, 9), step(-3, 3);
+        const CutterProfile cutters[] = {CutterProfile(AptCutter::ball(6, 30)),
+                                         CutterProfile(AptCutter::flat(6, 4)), // shorter than it cuts deep
+                                         CutterProfile(AptCutter::from_shape(6, 0.5, 0, radians(-12), 12))};
+        StockSolid solid;
+        solid.box.lo = Vec3(-40, -40, 0);
+        solid.box.hi = Vec3(40, 40, 10);
+        for (const CutterProfile& profile : cutters)
+            for (int trial = 0; trial < trials(20, 4); ++trial) {
+                StockField at_once(solid, 0.5, Progress());
+                LaterCuts later(at_once, profile, 1);
+                const StockCutter cutter(profile);
+                Vec3 from(at(rng), at(rng), height(rng));
+                for (int i = 0; i < 200; ++i) {
+                    const Vec3 to = i % 20 == 0 ? Vec3(at(rng), at(rng), height(rng))
+                                                : Vec3(from + Vec3(step(rng), step(rng), 0));
+                    at_once.cut(cutter, from, to);
+                    later.feed(from, to);
+                    from = to;
+                    if (i % 25 != 7) continue;
+                    const Vec2 p(at(rng), at(rng));
+                    const double radius = 2 + height(rng);
+                    QCOMPARE(later.about(p, radius).highest_near(p, p, radius),
+                             at_once.highest_near(p, p, radius));
+                    if (radius > profile.max_radius())
+                        QCOMPARE(later.about(p, radius).clear_height(cutter, p, p),
+                                 at_once.clear_height(cutter, p, p));
+                }
+                const StockField& all = later.about(Vec2(0, 0), 100);
+                for (int row = 0; row < all.rows(); ++row)
+                    for (int column = 0; column < all.columns(); ++column)
+                        QVERIFY(std::abs(all.top(column, row) - at_once.top(column, row)) < 1e-9);
+            }
+    }
+
     void near_passes_are_linked_and_far_ones_are_not() {
         PlanContext context = context_of(level(), ball_tool(6));
         context.stock_box.hi.z() = 7;
