@@ -38,20 +38,19 @@ double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
 
 double MeshSight::distance(const Vec3& p, double most, double share, double least) const {
     double found = most * most, square = found; // nearer than `square` is worth finding
-    tree_.each([&](const Box3& box) { return squared_distance(box, p) < square; },
-               [&](std::size_t f) {
-                   const Vec3 &a = mesh_.corner(f, 0), &b = mesh_.corner(f, 1), &c = mesh_.corner(f, 2);
-                   // Most are not as near even in their plane.
-                   const Vec3 n = (b - a).cross(c - a);
-                   const double off = (p - a).dot(n);
-                   if (off * off > square * n.squaredNorm()) return;
-                   const double here = squared_distance(p, a, b, c);
-                   if (!(here < square)) return;
-                   found = square = here;
-                   if (share == 1) return;
-                   const double nearer = least + share * std::max(0.0, std::sqrt(here) - least);
-                   square = std::min(here, nearer * nearer);
-               });
+    tree_.nearest(p, square, [&](std::size_t f) {
+        const Vec3 &a = mesh_.corner(f, 0), &b = mesh_.corner(f, 1), &c = mesh_.corner(f, 2);
+        // Most are not as near even in their plane.
+        const Vec3 n = (b - a).cross(c - a);
+        const double off = (p - a).dot(n);
+        if (off * off > square * n.squaredNorm()) return;
+        const double here = squared_distance(p, a, b, c);
+        if (!(here < square)) return;
+        found = square = here;
+        if (share == 1) return;
+        const double nearer = least + share * std::max(0.0, std::sqrt(here) - least);
+        square = std::min(here, nearer * nearer);
+    });
     return std::sqrt(found);
 }
 

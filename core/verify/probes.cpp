@@ -63,10 +63,12 @@ BodySupport::Closest BodySupport::closest(const Vec3& point, const Vec3& axis) c
         const Vec2 d(found.rho - f.center.x(), z - f.center.y());
         if (cross(f.first, d) > 0 && cross(d, f.last) > 0) {
             const double length = d.norm();
-            if (!(length - f.r > most)) continue;
+            const bool nearest = length >= f.r; // the body's point next to one outside lies here
+            if (!nearest && !(length - f.r > most)) continue;
             most = length - f.r;
             found.out = d;
             found.length = length;
+            if (nearest) break;
         } else {
             const double a = f.first.dot(d), b = f.last.dot(d);
             if (!(std::max(a, b) - f.r > most)) continue;
