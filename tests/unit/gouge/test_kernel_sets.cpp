@@ -108,14 +108,24 @@ private slots:
                     sets[0]->upright(view, surface, query, one[k]);
                 }
                 for (int set = 0; set < count; ++set) {
-                    double tips[AxialPacket::max_places];
+                    AxialPacketAnswer answer;
                     prepared->clear();
                     packet.prepared = prepared.get();
                     packet.count = std::min(places, sets[set]->packet_places);
-                    sets[set]->packet(view, surface, packet, tips);
+                    sets[set]->packet(view, surface, packet, answer);
                     for (int k = 0; k < packet.count; ++k) {
-                        QVERIFY2(std::memcmp(&one[k].tip, &tips[k], sizeof(double)) == 0,
-                                 qPrintable(QString("%1 %2").arg(one[k].tip).arg(tips[k])));
+                        QVERIFY2(std::memcmp(&one[k].tip, &answer.tips[k], sizeof(double)) == 0,
+                                 qPrintable(QString("%1 %2").arg(one[k].tip).arg(answer.tips[k])));
+                        QCOMPARE(answer.touched[k] == no_slot, one[k].slot == no_slot);
+                        if (answer.touched[k] == no_slot) continue;
+                        // The facet that the packet names is as high by itself.
+                        AxialQuery query;
+                        query.place[0] = packet.x[k];
+                        query.place[1] = packet.y[k];
+                        query.hint = answer.touched[k];
+                        AxialAnswer touched;
+                        sets[set]->touch(view, surface, query, touched);
+                        QVERIFY(std::memcmp(&one[k].tip, &touched.tip, sizeof(double)) == 0);
                         met += one[k].slot != no_slot;
                     }
                 }
