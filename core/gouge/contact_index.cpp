@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/round_outward.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/contact_impl.h"
 #include "core/gouge/facet_duties.h"
@@ -29,14 +30,6 @@ struct Range {
 /// A facet is listed in pieces where its box in the plan is so many times as large as it is; in so many at
 /// most; and so many more than there are facets altogether.
 constexpr double worth_pieces = 16, max_pieces = 64, max_more_pieces = 1e6;
-
-float round_down(double v) {
-    const float f = float(v);
-    return double(f) > v ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
-}
-float round_up(double v) {
-    return -round_down(-v);
-}
 
 /// Splits [begin, end) at `middle` across the widest extent of the middles. Equal keys are ordered by facet,
 /// so that the two halves do not depend on the algorithm.
@@ -304,7 +297,7 @@ Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
 void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child) {
     const Vec3 middle = cover.box.center();
     const auto half = [&](int k, float at) {
-        return round_up(std::max(cover.box.hi[k] - double(at), double(at) - cover.box.lo[k]));
+        return rounded_up(std::max(cover.box.hi[k] - double(at), double(at) - cover.box.lo[k]));
     };
     node.cx[lane] = float(middle.x());
     node.cy[lane] = float(middle.y());
@@ -315,15 +308,15 @@ void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child
     const Roof& roof = cover.roof;
     node.slope_x[lane] = float(roof.x); // they are floats
     node.slope_y[lane] = float(roof.y);
-    node.roof[lane] = round_up(roof.z + roof.x * (double(node.cx[lane]) - middle.x())
-                               + roof.y * (double(node.cy[lane]) - middle.y()));
+    node.roof[lane] = rounded_up(roof.z + roof.x * (double(node.cx[lane]) - middle.x())
+                                 + roof.y * (double(node.cy[lane]) - middle.y()));
     const Slab& slab = cover.slab;
     const double shift = slab.normal.dot(middle - Vec3(node.cx[lane], node.cy[lane], node.cz[lane]));
     node.normal_x[lane] = float(slab.normal.x()); // they are floats
     node.normal_y[lane] = float(slab.normal.y());
     node.normal_z[lane] = float(slab.normal.z());
-    node.above[lane] = round_up(slab.above + shift);
-    node.below[lane] = round_up(slab.below - shift);
+    node.above[lane] = rounded_up(slab.above + shift);
+    node.below[lane] = rounded_up(slab.below - shift);
     node.slope_lo_x[lane] = cover.slopes.lo_x;
     node.slope_hi_x[lane] = cover.slopes.hi_x;
     node.slope_lo_y[lane] = cover.slopes.lo_y;
