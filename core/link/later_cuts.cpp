@@ -13,10 +13,10 @@ constexpr double tile_radii = 2, max_tiles = 1024;
 } // namespace
 
 LaterCuts::LaterCuts(StockField field, const CutterProfile& cutter, double lowest)
-    : field_(std::move(field)), cutter_(cutter),
-      at_once_(is_undercut(cutter) || !(lowest + cutter.height() >= field_.highest())) {
+    : field_(std::move(field)), cutter_(cutter) {
+    const bool at_once = is_undercut(cutter) || !(lowest + cutter.height() >= field_.highest());
+    if (field_.box().empty() || at_once) return;
     const Vec3 size = field_.box().size();
-    if (field_.box().empty() || at_once_) return;
     tile_ = std::max(tile_radii * cutter.max_radius(), std::max(size.x(), size.y()) / max_tiles);
     columns_ = int(size.x() / tile_) + 1;
     rows_ = int(size.y() / tile_) + 1;

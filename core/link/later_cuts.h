@@ -28,12 +28,11 @@ private:
 
     StockField field_;
     StockCutter cutter_;
-    bool at_once_;
     double tile_ = 1;
     int columns_ = 1, rows_ = 1;
     std::vector<std::pair<Vec3, Vec3>> fed_;
     std::vector<char> cut_;                        ///< of those fed
-    std::vector<std::vector<std::uint32_t>> near_; ///< what is to be cut in each tile
+    std::vector<std::vector<std::uint32_t>> near_; ///< what is to be cut in each tile; none: at once
 };
 
 } // namespace facetmill
