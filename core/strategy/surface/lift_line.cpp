@@ -20,14 +20,8 @@ struct FieldLine {
     Vec2 origin, direction;
     const Progress& progress;
 
-    LinePoint at(double s) {
-        LiftHint hint;
-        return {s, field.tip_z(origin + s * direction, hint)};
-    }
-    LinePoint middle(const LinePoint& a, const LinePoint& b) { return at(0.5 * (a.s + b.s)); }
     static LinePoint flat(const LinePoint& from, const LinePoint& p) { return {p.s - from.s, p.z}; }
     static LinePoint over(const LinePoint& high, const LinePoint& low) { return {low.s, high.z}; }
-    void check() const { progress.check(); }
 };
 
 /// What LineRefiner makes of the segments of a block, halving by halving.
@@ -167,7 +161,7 @@ double safe_spacing(const CutterProfile& profile, double below) {
 
 std::vector<LinePoint> lift_line(const LiftField& field, const Vec2& origin, const Vec2& direction, double s0,
                                  double s1, const LineTolerance& tolerance, const Progress& progress) {
-    if (!(s1 > s0)) return {FieldLine{field, origin, direction, progress}.at(s0)};
+    if (!(s1 > s0)) return {{s0, field.tip_z(origin + s0 * direction)}};
     const auto n = std::size_t(std::ceil((s1 - s0) / (2 * tolerance.spacing)));
     const auto node = [&](std::size_t i) { return i == n ? s1 : s0 + (s1 - s0) * (double(i) / double(n)); };
     const std::size_t blocks = (n - 1) / block_segments + 1;
