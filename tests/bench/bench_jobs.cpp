@@ -1,7 +1,7 @@
 // Whole jobs, as a user plans and verifies them, and the contact kernel where it is slowest: processor time
 // on one thread, the clock with one thread and with all of them, the largest memory, and how the time grows
-// with facets and with points. A table in Markdown; where OpenCAMLib was found when this was built, a finish
-// of the same lines and sampling by its AdaptivePathDropCutter as well.
+// with facets. A table in Markdown; where OpenCAMLib was found when this was built, a finish of the same
+// lines by its AdaptivePathDropCutter as well.
 //
 //     bench_jobs [RELIEF.stl|- [ROW/... [TURNS]]]
 //
@@ -365,7 +365,7 @@ Medians medians_of(const Row& row, int turns) {
     Medians all;
     for (int turn = 0; turn < turns; ++turn)
         for (const int threads : {1, 0}) {
-            if ((row.once || std::getenv("ONE_THREAD")) && threads == 0) continue;
+            if (row.once && threads == 0) continue;
             const Measured m = run_alone(row, threads);
             if (m.amount == 0) return all;
             if (threads == 1) one.push_back(m.processor);
