@@ -18,6 +18,7 @@
 #include "core/strategy/surface/stock_before.h"
 #include "core/strategy/surface/travel_direction.h"
 
+#include <atomic>
 #include <optional>
 
 namespace facetmill {
@@ -287,9 +288,13 @@ std::vector<Planner::Placed> Planner::place_planes(const Progress& progress) {
 
 std::vector<PlannedLine> Planner::with_partial_lines(std::vector<Placed> planes, const Progress& progress) {
     std::vector<PartialLines> partial(planes.size(), PartialLines(*stepover_));
+    std::atomic<std::size_t> made =
+        planes.size(); // too many end the work at once, not after the last of them
     parallel_for(planes.size() - 1, 1, progress, [&](std::size_t i) {
         if (planes[i].left.empty()) return;
         partial[i].fill(planes[i].line, planes[i + 1].line, planes[i].left, progress.part(0, 0));
+        const std::size_t more = partial[i].lines();
+        check_planes(made.fetch_add(more) + more);
     });
     std::vector<PlannedLine> lines;
     for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -300,7 +305,6 @@ std::vector<PlannedLine> Planner::with_partial_lines(std::vector<Placed> planes,
         result_.cusp_max = std::max(result_.cusp_max, partial[i].cusp_max());
         unsatisfied_ += partial[i].unsatisfied();
     }
-    check_planes(lines.size());
     return lines;
 }
 

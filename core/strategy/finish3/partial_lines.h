@@ -26,6 +26,7 @@ public:
 
     /// Lines since they were last taken, in the order of their planes.
     std::vector<PlannedLine> take();
+    std::size_t lines() const { return lines_.size(); } ///< since they were last taken
     /// The largest cusp that is left, of places that no step serves; lines beside such places.
     double cusp_max() const { return cusp_max_; }
     int unsatisfied() const { return unsatisfied_; }
