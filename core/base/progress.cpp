@@ -6,7 +6,8 @@ namespace facetmill {
 
 std::string Job::label() const {
     std::lock_guard lock(label_mutex_);
-    return label_;
+    if (task_.empty() || label_.empty()) return task_ + label_;
+    return task_ + ": " + label_;
 }
 
 void Job::raise_fraction(double to) {
@@ -25,6 +26,12 @@ void Job::cancel_at(double fraction) {
 void Job::set_label(std::string label) {
     std::lock_guard lock(label_mutex_);
     label_ = std::move(label);
+}
+
+void Job::set_task(std::string task) {
+    std::lock_guard lock(label_mutex_);
+    task_ = std::move(task);
+    label_.clear();
 }
 
 Progress Progress::part(double from, double to, const std::string& label) const {

@@ -29,16 +29,19 @@ public:
 
     /// 0 to 1, never decreasing.
     double fraction() const { return fraction_.load(std::memory_order_relaxed); }
+    /// "Finish (2 of 3): Placing drive planes": the task, where there is one, and what it is at.
     std::string label() const;
 
     void raise_fraction(double to);
     void set_label(std::string label);
+    /// What the labels from now on are of; empty: the job as a whole.
+    void set_task(std::string task);
 
 private:
     std::atomic<bool> cancelled_{false};
     std::atomic<double> fraction_{0.0}, cancel_at_{2.0};
     mutable std::mutex label_mutex_;
-    std::string label_;
+    std::string task_, label_;
 };
 
 class Progress {
@@ -50,6 +53,10 @@ public:
     /// The interval [from, to] (0..1 of this one) with its own label; an empty label keeps the present one.
     Progress part(double from, double to, const std::string& label = {}) const;
 
+    /// Names what is worked at from now on (Job::set_task).
+    void task(const std::string& name) const {
+        if (job_) job_->set_task(name);
+    }
     /// Sets the fraction of this interval that is done (0..1). Throws Cancelled when the job was cancelled.
     void set(double fraction) const;
     /// Throws Cancelled when the job was cancelled.

@@ -153,6 +153,12 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
     return result;
 }
 
+/// What a plan of `n` operations is at.
+std::string task_text(const Operation& operation, std::size_t i, std::size_t n) {
+    const std::string& name = operation.common().name;
+    return n == 1 ? name : name + " (" + std::to_string(i + 1) + " of " + std::to_string(n) + ")";
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -682,10 +688,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         names.push_back(o->common().name);
     const std::vector<AskedOperation> asked = asked_operations(
         project, [&](std::size_t i) { return only_operation.empty() || names[i] == only_operation; });
-    if (names.empty())
-        throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
-                    "add an operation");
-    if (asked.empty()) refuse_operation(only_operation, names);
+    if (asked.empty()) refuse_to_plan(project, only_operation);
 
     Cache& c = *cache_;
     auto result = std::make_shared<PlanResult>();
@@ -710,6 +713,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const double n = double(asked.size());
         const Operation& operation = *asked[i].operation;
+        if (only_operation.empty()) progress.task(task_text(operation, i, asked.size()));
         PlanContext context = setup_context;
         context.tool = project.tool_of(operation);
         context.further_tools = project.further_tools_of(operation);
@@ -754,6 +758,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
         }
     }
     if (only_operation.empty()) {
+        progress.task({});
         c.rests.end_plan();
         std::erase_if(c.indexed, [](const auto& view) { return !view->used; });
     }

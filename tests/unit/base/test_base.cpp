@@ -337,6 +337,12 @@ private slots:
         const Progress half = p.part(0.5, 1.0, "second");
         QCOMPARE(job.fraction(), 0.5);
         QCOMPARE(job.label(), std::string("second"));
+        Progress(job).task("Finish (2 of 3)");
+        QCOMPARE(job.label(), std::string("Finish (2 of 3)"));
+        Progress(job).part(0, 1, "Looking");
+        QCOMPARE(job.label(), std::string("Finish (2 of 3): Looking"));
+        Progress(job).task({});
+        QCOMPARE(job.label(), std::string());
         p.part(0.0, 0.5).set(0.3); // an earlier interval must not pull the bar back
         QCOMPARE(job.fraction(), 0.5);
         half.set(0.5);
