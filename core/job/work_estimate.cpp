@@ -22,6 +22,8 @@ constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4;
 /// A node of a point's grid of postures, and a place at which strips are measured for an adaptive step-over:
 /// as many radii apart, and looked at for about as many planes before one is taken.
 constexpr double seconds_a_posture = 2e-6, seconds_a_strip = 3e-4, strip_radii = 0.25, planes_tried = 8;
+/// From one pass to the next the cheapest path looks at every posture before every other.
+constexpr double seconds_a_pair = 1e-8;
 /// Global-local CM2 plans a main path, once more where that leaves too much, and a path of rework, each about
 /// as long as a finishing path or longer, and looks for regions before and after the main path: on facets of
 /// a share of the squared distance of trajectories.
@@ -127,7 +129,7 @@ std::string WorkEstimate::text() const {
 std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPart& part,
                                         const std::string& only_operation) {
     std::vector<WorkEstimate> all;
-    for (const auto& operation : project.operations) {
+    for (const Operation* operation : operations_on(project)) {
         const OperationCommon& common = operation->common();
         if (!only_operation.empty() && common.name != only_operation) continue;
         if (!(common.tolerance > 0)) continue;
@@ -155,7 +157,11 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
         } else {
             const double area = mesh_area(*part.mesh);
             e.points = area / (step * along);
-            e.seconds = e.points * postures_of(*operation) * seconds_a_posture;
+            const double postures = postures_of(*operation), passes = std::sqrt(area) / step;
+            e.seconds = e.points * postures * seconds_a_posture;
+            if (operation->has("posture")
+                && operation->get("posture") == ParameterValue(std::string("global")))
+                e.seconds += passes * postures * postures * seconds_a_pair;
             if (number_or(*operation, "stepover", 0) == 0)
                 e.seconds += area / (step * strip_radii * radius) * planes_tried * seconds_a_strip;
             if (const GlobalLocalSettings* rework = operation->rework())
