@@ -1,12 +1,15 @@
 #include "core/job/asked_operations.h"
 
+#include <algorithm>
+
 namespace facetmill {
 
 std::vector<AskedOperation> asked_operations(const Project& project,
                                              const std::function<bool(std::size_t)>& wanted) {
     std::vector<AskedOperation> asked;
     for (std::size_t i = 0; i < project.operations.size(); ++i)
-        asked.push_back({project.operations[i].get(), wanted(i)});
+        if (const bool wants = wanted(i); !project.operations[i]->common().off)
+            asked.push_back({project.operations[i].get(), wants});
     bool leaves = false, read = false;
     for (auto a = asked.rbegin(); a != asked.rend(); ++a) {
         a->leaves = leaves && a->operation->keeps_axis();
@@ -22,6 +25,20 @@ void refuse_operation(const std::string& name, const std::vector<std::string>& n
     const std::string near = nearest_name(name, names);
     throw Error(ErrorCode::missing_reference, "operations", "there is no operation '" + printable(name) + "'",
                 near.empty() ? "check the name" : "did you mean '" + printable(near) + "'?");
+}
+
+void refuse_to_plan(const Setup& setup, const std::string& name) {
+    if (setup.operations.empty())
+        throw Error(ErrorCode::missing_key, "operations", "the project has no operations",
+                    "add an operation");
+    std::vector<std::string> names;
+    for (const auto& o : setup.operations)
+        names.push_back(o->common().name);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        refuse_operation(name, names);
+    throw Error(
+        ErrorCode::missing_reference, name.empty() ? "operations" : "operation '" + printable(name) + "'",
+        name.empty() ? "all of them are switched off" : "it is switched off", "switch it on (off: false)");
 }
 
 } // namespace facetmill

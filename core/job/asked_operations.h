@@ -17,12 +17,15 @@ struct AskedOperation {
 };
 
 /// The wanted operations of a project and those before them whose stock or path they ask for, in the
-/// project's order. `wanted` is called once for every index of Project::operations; none wanted: an empty
-/// list. The pointers are the project's.
+/// project's order, without those that are switched off. `wanted` is called once for every index of
+/// Project::operations; none wanted: an empty list. The pointers are the project's.
 std::vector<AskedOperation> asked_operations(const Project& project,
                                              const std::function<bool(std::size_t)>& wanted);
 
 /// Throws Error(missing_reference): there is no operation of this name among `names`.
 [[noreturn]] void refuse_operation(const std::string& name, const std::vector<std::string>& names);
+/// Throws Error(missing_key, missing_reference): why nothing of a setup is to be planned, where
+/// asked_operations tells nothing of an operation of this name (empty: of any).
+[[noreturn]] void refuse_to_plan(const Setup& setup, const std::string& name);
 
 } // namespace facetmill

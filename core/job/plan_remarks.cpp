@@ -12,7 +12,7 @@ namespace {
 void look_for_previous_tool(OperationResult& result, const Project& project, const Operation& operation) {
     if (!operation.has("previous_tool") || project.stock.kind == StockSpec::Kind::rest) return;
     const long previous = std::get<long>(operation.get("previous_tool"));
-    for (const auto& o : project.operations) {
+    for (const Operation* o : operations_on(project)) {
         if (o->common().tool == previous) return;
         if (o->has("rework_tool") && std::get<long>(o->get("rework_tool")) == previous) return;
         if (o->common().name == operation.common().name) break;
@@ -29,8 +29,9 @@ void look_for_shank_in_stock(OperationResult& result, const Project& project, co
     ShankInStock touched;
     if (const LatheCommon* lathe = operation.turning()) {
         const auto turns = [](const auto& o) { return o->turning() != nullptr; };
-        const auto first = std::find_if(project.operations.begin(), project.operations.end(), turns);
-        if (first != project.operations.end() && (*first)->common().name != operation.common().name) return;
+        const std::vector<const Operation*> on = operations_on(project);
+        const auto first = std::find_if(on.begin(), on.end(), turns);
+        if (first != on.end() && (*first)->common().name != operation.common().name) return;
         touched = shank_in_stock(result.program.motions, *lathe, context, progress);
     } else {
         touched = shank_in_stock(result.program.motions, context, progress);

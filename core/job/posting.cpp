@@ -22,7 +22,8 @@ constexpr double post_chord_share = 0.25, arc_chord_share = 0.5;
 /// The line that the project's part turns about; none where nothing turns it.
 std::optional<TurningAxis> project_turning(const Project& project, const PreparedPart& part) {
     for (std::size_t i = 0; i < project.operations.size(); ++i)
-        if (const LatheCommon* lathe = project.operations[i]->turning())
+        if (const LatheCommon* lathe = project.operations[i]->turning();
+            lathe && !project.operations[i]->common().off)
             return LatheFrame(*lathe, preview_context(project, i, part, {})).axis();
     return std::nullopt;
 }
@@ -138,7 +139,7 @@ std::pair<long, long> program_numbers(const Setup& setup) {
     long count = 1;
     if (setup.programs.files == ProgramSpec::Files::each) {
         count = 0;
-        for (const auto& o : setup.operations)
+        for (const Operation* o : operations_on(setup))
             count += o->rework() ? 2 : 1;
     }
     return {setup.programs.number, setup.programs.number + count - 1};
@@ -176,7 +177,7 @@ void check_posting(const Project& project) {
     check_program_number(post, program_numbers(project).second);
     const Machine machine = project_machine(project);
     std::optional<long> only;
-    for (const auto& operation : project.operations) {
+    for (const Operation* operation : operations_on(project)) {
         const OperationCommon& common = operation->common();
         if (!operation->three_axis()) check_inclined(post, common.name);
         if (operation->turning()) check_turning(post, common.name);

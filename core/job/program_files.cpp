@@ -92,15 +92,16 @@ std::vector<std::string> program_file_names(const Project& project) {
         const Project view = view_of_setup(project, k);
         const std::size_t n = view.operations.size(), first = operations_before(view) + 1;
         const auto name = [&](std::size_t i) { return view.operations[i]->common().name; };
+        const auto off = [&](std::size_t i) { return view.operations[i]->common().off; };
         for (std::size_t i = 0; i < n; ++i)
-            names.push_back(program_file_name(first + i, name(i)));
+            if (!off(i)) names.push_back(program_file_name(first + i, name(i)));
         if (view.programs.post.empty()) continue;
         const std::string extension = project_post(view, view.programs.post).extension;
         if (view.programs.files == ProgramSpec::Files::one)
             names.push_back(joined_program_name(view, extension));
         else
             for (std::size_t i = 0; i < n; ++i)
-                names.push_back(file_stem(first + i, name(i)) + extension);
+                if (!off(i)) names.push_back(file_stem(first + i, name(i)) + extension);
     }
     names.emplace_back(report_file_name);
     std::set<std::string> known;

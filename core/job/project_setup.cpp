@@ -120,6 +120,13 @@ std::vector<const Operation*> all_operations(const Project& project) {
     return all;
 }
 
+std::vector<const Operation*> operations_on(const Setup& setup) {
+    std::vector<const Operation*> on;
+    for (const auto& o : setup.operations)
+        if (!o->common().off) on.push_back(o.get());
+    return on;
+}
+
 std::size_t operations_before(const Project& project) {
     std::size_t n = 0;
     for (const Setup& setup : project.before)

@@ -75,6 +75,8 @@ std::string free_name(const std::string& wish, const Taken& taken) {
 /// All operations of a project, in machining order.
 std::vector<const Operation*> all_operations(const Project& project);
 std::vector<Operation*> all_operations(Project& project);
+/// The operations of a setup that are not switched off: what is planned and written, in machining order.
+std::vector<const Operation*> operations_on(const Setup& setup);
 /// How many operations the setups before the chosen one have: programs are numbered through the project.
 std::size_t operations_before(const Project& project);
 /// "Finish", or "Finish 2" where an operation of the project has that name.

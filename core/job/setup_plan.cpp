@@ -69,6 +69,21 @@ bool goes_on(const Setup& setup) {
     return setup.stock.kind == StockSpec::Kind::rest;
 }
 
+/// A setup whose operations are all switched off is left out: not where that is all there is, nor where a
+/// setup goes on with stock that is its own.
+bool is_left_out(const Project& project, std::size_t i) {
+    const std::size_t n = setup_count(project);
+    const auto works = [&](std::size_t k) {
+        const Setup& setup = setup_at(project, k);
+        return setup.operations.empty() || !operations_on(setup).empty();
+    };
+    if (works(i) || (!goes_on(setup_at(project, i)) && i + 1 < n && goes_on(setup_at(project, i + 1))))
+        return false;
+    for (std::size_t k = 0; k < n; ++k)
+        if (works(k)) return true;
+    return false;
+}
+
 std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view,
                                             const std::string& only_operation, const Progress& progress) {
     auto plan = planner.plan(view, only_operation, progress);
@@ -104,6 +119,7 @@ std::vector<SetupPlan> plan_setups(const Project& project, const std::string& on
         const double share = 1 / double(last - first), at = double(i - first) * share;
         const Progress running = progress.part(at, at + share);
         SetupPlan setup{view_of_setup(project, i), nullptr, only_operation.empty() || i + 1 == last};
+        if (only_operation.empty() && is_left_out(project, i)) continue;
         try {
             const bool rests = goes_on(setup.project) && !setups.empty();
             if (rests) {

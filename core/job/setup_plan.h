@@ -38,9 +38,10 @@ using PlanSetup = std::function<std::shared_ptr<const PlanResult>(
     Planner& planner, const Project& view, const std::string& only_operation, const Progress& progress)>;
 
 /// Plans all setups, or what one operation needs (empty: all): its own setup, and those whose stock that goes
-/// on with. In machining order. Throws what Planner::plan and PlanResult::check_programs do, of several
-/// setups within "setup 'Bottom'"; Error(missing_reference) for an unknown operation, Error(out_of_range)
-/// where a setup's own stock does not meet that of the setup before it, and what carried_stock does.
+/// on with. In machining order, without setups whose operations are all switched off. Throws what
+/// Planner::plan and PlanResult::check_programs do, of several setups within "setup 'Bottom'";
+/// Error(missing_reference) for an unknown operation, Error(out_of_range) where a setup's own stock does not
+/// meet that of the setup before it, and what carried_stock does.
 std::vector<SetupPlan> plan_setups(const Project& project, const std::string& only_operation,
                                    SetupPlanners& planners, const Progress& progress,
                                    const PlanSetup& plan = {});

@@ -340,12 +340,12 @@ static bool operation_leaves_more(const Project& project, const std::string& nam
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     VerifySettings settings;
     const Operation* last = nullptr;
-    for (const auto& o : project.operations) {
+    for (const Operation* o : operations_on(project)) {
         const bool planned = !plan
                              || std::any_of(plan->operations.begin(), plan->operations.end(),
                                             [&](const auto& r) { return r->name == o->common().name; });
         // What cuts after it and leaves more puts nothing back.
-        if (planned && (!last || o->left_on_purpose() <= last->left_on_purpose())) last = o.get();
+        if (planned && (!last || o->left_on_purpose() <= last->left_on_purpose())) last = o;
     }
     if (last) {
         const OperationCommon& common = last->common();

@@ -91,6 +91,7 @@ struct PlanContext {
 /// What all operations have beside their own keys.
 struct OperationCommon {
     std::string name = "Operation";
+    bool off = false; ///< left out of plan, verification and programs, as if it were not there
     long tool = 1;
     double tolerance = 0.05;           ///< machining tolerance tau: largest cusp left, mm
     double allowance = 0;              ///< stock left on the part, mm

@@ -55,6 +55,18 @@ void add_tool_axis_parameter(ParameterTable<S>& table) {
 }
 
 template <class S>
+void add_off_parameter(ParameterTable<S>& table) {
+    const auto member = []<class T>(T OperationCommon::*m) -> T S::* { return m; };
+    table.add(member(&S::off), {.key = "off",
+                                .label = "Off",
+                                .help = "Switched off: the operation is left out of plan, verification and "
+                                        "programs, as if it were not there.",
+                                .kind = ParameterKind::boolean,
+                                .stage = Stage::output,
+                                .default_unwritten = true});
+}
+
+template <class S>
 void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
     using K = ParameterKind;
     // &S::name is a member pointer of OperationCommon; the table wants one of S.
@@ -64,6 +76,7 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
                                  .help = "Name of the operation; also names its output file.",
                                  .kind = K::text,
                                  .stage = Stage::output});
+    add_off_parameter(table);
     table.add(member(&S::tool), {.key = "tool",
                                  .label = "Tool",
                                  .help = "Number of the tool in the tool list.",

@@ -17,6 +17,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -170,6 +171,43 @@ private slots:
         const Json report = Json::parse(report_json(w.project, *anew));
         for (const char* key : {"layers", "remaining_height", "air_length"})
             QVERIFY(report["operations"][0][key].is_number());
+    }
+
+    /// As if it were not there, and as before when it is on again.
+    void what_is_switched_off_is_left_out() {
+        Workplace w;
+        Planner planner;
+        const auto both = planner.plan(w.project, "", {});
+        w.project.operations[0]->common().off = true;
+        const auto one = planner.plan(w.project, "", {});
+        QCOMPARE(one->operations.size(), std::size_t(1));
+        Project lone = w.project;
+        lone.operations.erase(lone.operations.begin());
+        QVERIFY(apt_of(*one->operations[0]) == apt_of(*Planner().plan(lone, "", {})->operations[0]));
+        QCOMPARE(program_file_name(w.project, *one, 0), std::string("02-Second.apt"));
+        const auto names = program_file_names(w.project);
+        QVERIFY(std::none_of(names.begin(), names.end(),
+                             [](const std::string& n) { return n.starts_with("01"); }));
+        const auto refused = [&](const std::string& name) {
+            try {
+                planner.plan(w.project, name, {});
+            } catch (const Error& e) {
+                return std::string(e.what());
+            }
+            return std::string();
+        };
+        QVERIFY(refused("First").find("operation 'First': it is switched off") == 0);
+        QVERIFY(refused("Fist").find("did you mean 'First'?") != std::string::npos);
+        const std::string text = project_to_json(w.project);
+        QVERIFY(text.find("\"off\": true") != std::string::npos);
+        QCOMPARE(project_to_json(parse_project(text, "p")), text);
+        w.project.operations[1]->common().off = true;
+        QVERIFY(refused("").find("all of them are switched off") != std::string::npos);
+        for (auto& o : w.project.operations)
+            o->common().off = false;
+        QVERIFY(project_to_json(w.project).find("\"off\"") == std::string::npos);
+        const auto again = planner.plan(w.project, "", {});
+        QVERIFY(text_of(w.project, *again) == text_of(w.project, *both));
     }
 
     void rapids_clear_every_kind_of_stock() {

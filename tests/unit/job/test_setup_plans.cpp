@@ -236,6 +236,26 @@ private slots:
         QVERIFY(compared > 8); // under both courses
     }
 
+    /// The third goes on with what the first left; whoever goes on with stock of a setup's own needs that.
+    void a_setup_with_nothing_on_is_left_out() {
+        BlockJob job;
+        setup_at(job.project, 1).operations[0]->common().off = true;
+        SetupPlanners planners;
+        const std::vector<SetupPlan> setups = plan_setups(job.project, {}, planners, {});
+        QCOMPARE(setups.size(), std::size_t(2));
+        QCOMPARE(setups[1].project.name, setup_at(job.project, 2).name);
+        const double expected = block_size.prod() - hollow_volume();
+        QVERIFY(std::abs(volume_of(*setups[1].plan->stock.mesh) - expected)
+                < 0.01 * hollow_volume() + 0.004 * block_size.prod());
+        setup_at(job.project, 0).operations[0]->common().off = true;
+        try {
+            plan_setups(job.project, {}, planners, {});
+            QFAIL("planned");
+        } catch (const Error& e) {
+            QVERIFY2(std::string(e.what()).find("switched off") != std::string::npos, e.what());
+        }
+    }
+
     void cancelled_it_ends() {
         BlockJob job;
         SetupPlanners planners;
