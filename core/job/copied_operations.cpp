@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace facetmill {
 
@@ -20,9 +21,18 @@ std::vector<long> tools_of(const Operation& operation) {
     return numbers;
 }
 
-bool is_same_tool(Tool a, const Tool& b) {
-    a.number = b.number;
-    return a == b;
+/// But for the number, and for what a length loses on its way through another unit.
+bool is_same_tool(const Tool& a, const Tool& b) {
+    const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::max(1.0, std::abs(x)); };
+    for (double Tool::*value :
+         {&Tool::diameter, &Tool::corner_radius, &Tool::bottom_angle, &Tool::taper_angle, &Tool::flute_length,
+          &Tool::shank_diameter, &Tool::shank_length})
+        if (!near(a.*value, b.*value)) return false;
+    return a.name == b.name
+           && std::equal(a.holder.begin(), a.holder.end(), b.holder.begin(), b.holder.end(),
+                         [&](const HolderSection& s, const HolderSection& t) {
+                             return near(s.diameter, t.diameter) && near(s.length, t.length);
+                         });
 }
 
 class Pasting {

@@ -30,7 +30,6 @@ struct Tool {
     double flute_length = 20;
     double shank_diameter = 6, shank_length = 30;
     std::vector<HolderSection> holder;
-    bool operator==(const Tool&) const = default;
 
     /// The cutting part; throws Error(out_of_range) naming the parameter when the values make no convex
     /// cutter.
