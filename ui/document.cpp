@@ -169,29 +169,31 @@ std::string Document::free_operation_name(const std::string& wish) const {
 }
 
 std::size_t Document::add_operation(const std::string& kind) {
-    Snapshot after = snapshot();
     NewOperation made = new_operation(kind, project_);
     std::string label = kind;
     for (const auto& k : operation_kinds())
         if (k.kind == kind) label = k.label;
     made.operation->common().name = free_operation_name(label.substr(0, label.find_first_of(",(")));
-    if (made.tool) after.project.tools.push_back(*made.tool);
-    const auto at = std::ptrdiff_t(made.place);
-    after.project.operations.insert(after.project.operations.begin() + at, std::move(made.operation));
-    after.own().insert(after.own().begin() + at, next_id_++);
-    push(tr("Add operation"), std::move(after));
+    std::vector<std::unique_ptr<Operation>> one;
+    one.push_back(std::move(made.operation));
+    std::vector<Tool> tools;
+    if (made.tool) tools.push_back(*made.tool);
+    add_operations(tr("Add operation"), made.place, std::move(one), tools);
     if (made.tool) emit tool_added(*made.tool);
     return made.place;
 }
 
-void Document::duplicate_operation(std::size_t i) {
+void Document::add_operations(const QString& what, std::size_t place,
+                              std::vector<std::unique_ptr<Operation>> operations,
+                              const std::vector<Tool>& tools) {
     Snapshot after = snapshot();
-    auto copy = project_.operations.at(i)->clone();
-    copy->common().name = free_operation_name(copy->common().name);
-    after.project.operations.insert(after.project.operations.begin() + std::ptrdiff_t(i) + 1,
-                                    std::move(copy));
-    after.own().insert(after.own().begin() + std::ptrdiff_t(i) + 1, next_id_++);
-    push(tr("Duplicate operation"), std::move(after));
+    after.project.tools.insert(after.project.tools.end(), tools.begin(), tools.end());
+    for (auto& operation : operations) {
+        const auto at = std::ptrdiff_t(place++);
+        after.project.operations.insert(after.project.operations.begin() + at, std::move(operation));
+        after.own().insert(after.own().begin() + at, next_id_++);
+    }
+    push(what, std::move(after));
 }
 
 void Document::remove_operation(std::size_t i) {
@@ -199,15 +201,6 @@ void Document::remove_operation(std::size_t i) {
     after.project.operations.erase(after.project.operations.begin() + std::ptrdiff_t(i));
     after.own().erase(after.own().begin() + std::ptrdiff_t(i));
     push(tr("Remove operation"), std::move(after));
-}
-
-void Document::move_operation(std::size_t i, int by) {
-    const auto j = std::ptrdiff_t(i) + by;
-    if (j < 0 || j >= std::ptrdiff_t(operation_count())) return;
-    Snapshot after = snapshot();
-    std::swap(after.project.operations[i], after.project.operations[std::size_t(j)]);
-    std::swap(after.own()[i], after.own()[std::size_t(j)]);
-    push(tr("Move operation"), std::move(after));
 }
 
 void Document::change_setups(
@@ -273,6 +266,7 @@ void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::str
 }
 
 OperationState Document::state(std::size_t i) const {
+    if (is_off(i)) return OperationState::off;
     const auto it = records_.find(ids()[i]);
     if (it == records_.end()) return OperationState::not_planned;
     const Record& record = it->second;
@@ -283,9 +277,19 @@ OperationState Document::state(std::size_t i) const {
     return current ? OperationState::planned : OperationState::stale;
 }
 
+bool Document::all_planned() const {
+    bool any = false;
+    for (std::size_t i = 0; i < operation_count(); ++i) {
+        const OperationState now = state(i);
+        if (now != OperationState::planned && now != OperationState::off) return false;
+        any = any || now == OperationState::planned;
+    }
+    return any;
+}
+
 std::shared_ptr<const OperationResult> Document::result(std::size_t i) const {
     const auto it = records_.find(ids()[i]);
-    return it == records_.end() ? nullptr : it->second.result;
+    return it == records_.end() || is_off(i) ? nullptr : it->second.result;
 }
 
 std::shared_ptr<const OperationResult> Document::result_of(int id, const std::string& fingerprint) const {
@@ -325,16 +329,18 @@ void Document::show_program(std::shared_ptr<const OpenedProgram> program) {
     emit states_changed();
 }
 
-std::shared_ptr<const PlanResult> Document::complete_plan() const {
-    if (!part_is_current() || !has_stock() || project_.operations.empty()) return nullptr;
+std::shared_ptr<const PlanResult> Document::complete_plan(std::optional<std::size_t> only) const {
+    if (!part_is_current() || !has_stock()) return nullptr;
+    if (only ? state(*only) != OperationState::planned : !all_planned()) return nullptr;
     auto plan = std::make_shared<PlanResult>();
     plan->part = part_;
     plan->stock = stock_solid(project_.stock, *part_);
     plan->stock_warnings = stock_warnings(project_.stock, *part_, project_.unit);
     for (std::size_t i = 0; i < operation_count(); ++i) {
-        if (state(i) != OperationState::planned) return nullptr;
-        for (auto& program : programs_of(result(i)))
-            plan->operations.push_back(std::move(program));
+        if (only && *only != i) continue;
+        if (const auto planned = result(i))
+            for (auto& program : programs_of(planned))
+                plan->operations.push_back(std::move(program));
     }
     return plan;
 }

@@ -21,7 +21,7 @@
 
 namespace facetmill::ui {
 
-enum class OperationState { not_planned, planning, planned, stale, failed };
+enum class OperationState { not_planned, planning, planned, stale, failed, off };
 
 /// What planning one operation came to: a result, or why there is none.
 struct OperationOutcome {
@@ -59,16 +59,18 @@ public:
     // operations; they keep their id through edits, moves and undo
     std::size_t operation_count() const { return project_.operations.size(); }
     const Operation& operation(std::size_t i) const { return *project_.operations[i]; }
+    /// Switched off: it is in the project, and else left out of everything.
+    bool is_off(std::size_t i) const { return operation(i).common().off; }
     int operation_id(std::size_t i) const { return ids()[i]; }
     /// The operations of each setup.
     const std::vector<std::vector<int>>& setup_ids() const { return ids_; }
     std::optional<std::size_t> index_of(int id) const;
     /// Where machining asks for it; returns its place.
     std::size_t add_operation(const std::string& kind);
-    void duplicate_operation(std::size_t i);
+    /// As one step, with tools that they need.
+    void add_operations(const QString& what, std::size_t place,
+                        std::vector<std::unique_ptr<Operation>> operations, const std::vector<Tool>& tools);
     void remove_operation(std::size_t i);
-    /// Moves it up (-1) or down (+1) if it can go there.
-    void move_operation(std::size_t i, int by);
 
     /// Changes the list of setups, with the ids of their operations, and chooses one of them: see
     /// setup_list.h. Throws what put_setups does.
@@ -104,6 +106,9 @@ public:
 
     // results
     OperationState state(std::size_t i) const;
+    /// Every operation that is not switched off is planned as it stands, and there is one.
+    bool all_planned() const;
+    /// Null for one that is switched off.
     std::shared_ptr<const OperationResult> result(std::size_t i) const;
     QString failure(std::size_t i) const;
     /// What an operation of any setup came to when it had this fingerprint; null where that is another now,
@@ -112,8 +117,8 @@ public:
     void set_planning(const std::vector<int>& ids);
     void take(const std::vector<OperationOutcome>& outcomes);
     /// The results of all operations in order, in the project's present unit; null when one is missing or
-    /// stale.
-    std::shared_ptr<const PlanResult> complete_plan() const;
+    /// stale. `only`: that of one operation alone.
+    std::shared_ptr<const PlanResult> complete_plan(std::optional<std::size_t> only = std::nullopt) const;
     /// A program from a file that is shown in place of the plan; null: the plan is. Another project, and
     /// whatever is planned, put it away.
     const std::shared_ptr<const OpenedProgram>& program() const { return program_; }

@@ -35,7 +35,10 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("Esc"), QObject::tr("cancel the running job"));
     row(QObject::tr("Ctrl+E"), QObject::tr("export programs and the report"));
     row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo"));
-    row(QObject::tr("Enter, F2"), QObject::tr("edit the selected tool or the parameters of the selection"));
+    row(QObject::tr("Enter"), QObject::tr("edit the selected tool or the parameters of the selection"));
+    row(QObject::tr("F2"), QObject::tr("rename what is selected in the tree"));
+    row(QObject::tr("Ctrl+C, Ctrl+V"),
+        QObject::tr("copy an operation in the tree, paste it here or in another project"));
     row(QObject::tr("Del"), QObject::tr("remove the selected tool or operation"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Keys and mouse"),
                                 QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows),

@@ -77,6 +77,7 @@ enum class Icon {
     operation,
     // states
     not_planned,
+    switched_off,
     planning,
     planned,
     stale,

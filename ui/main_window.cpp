@@ -10,6 +10,7 @@
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
 #include "ui/messages.h"
+#include "ui/operation_actions.h"
 #include "ui/parameter_form.h"
 #include "ui/place_controller.h"
 #include "ui/plan_runner.h"
@@ -193,7 +194,10 @@ void MainWindow::connect_panels() {
         docks_->show(QStringLiteral("properties_dock"));
         properties_->form()->focus_first();
     });
-    connect(tree_, &ProjectTree::plan_operation, this, [this](std::size_t i) { plan(i); });
+    OperationActions& one = tree_->operations();
+    connect(&one, &OperationActions::plan_wanted, this, [this](std::size_t i) { plan(i); });
+    connect(&one, &OperationActions::verify_wanted, this, [this](std::size_t i) { planning_->verify(i); });
+    connect(&one, &OperationActions::export_wanted, exports_, &ProgramExport::program_with_dialog);
     connect(properties_, &PropertiesPanel::edit_tool, this, [this](std::size_t i) { edit_tool(i); });
     connect(properties_, &PropertiesPanel::choose_stock, files_.get(), &ProjectFiles::choose_stock);
     connect(properties_, &PropertiesPanel::choose_fixture, files_.get(), &ProjectFiles::choose_fixture);

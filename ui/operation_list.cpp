@@ -1,5 +1,8 @@
 #include "ui/operation_list.h"
 
+#include "core/job/copied_operations.h"
+#include "ui/text.h"
+
 #include <algorithm>
 
 namespace facetmill::ui {
@@ -38,6 +41,55 @@ std::size_t share_tool_axis(Document& document, std::size_t operation) {
             if (has_axis(*o)) o->set(axis_key, axis);
     });
     return others;
+}
+
+void duplicate_operation(Document& document, std::size_t operation) {
+    std::vector<std::unique_ptr<Operation>> one;
+    one.push_back(document.operation(operation).clone());
+    one.front()->common().name = document.free_operation_name(one.front()->common().name);
+    document.add_operations(Document::tr("Duplicate operation"), operation + 1, std::move(one), {});
+}
+
+void move_operation(Document& document, std::size_t operation, int by) {
+    const auto to = std::ptrdiff_t(operation) + by;
+    if (to < 0 || to >= std::ptrdiff_t(document.operation_count())) return;
+    place_operation(document, operation, chosen_setup(document.project()),
+                    std::size_t(to) + (by > 0 ? 1 : 0));
+}
+
+void switch_operation(Document& document, std::size_t operation, bool off) {
+    if (document.is_off(operation) == off) return;
+    document.change(off ? Document::tr("Switch off operation") : Document::tr("Switch on operation"),
+                    [&](Project& p) { p.operations.at(operation)->common().off = off; });
+}
+
+bool place_operation(Document& document, std::size_t operation, std::size_t setup, std::size_t at) {
+    const std::size_t from = chosen_setup(document.project());
+    if (setup == from && (at == operation || at == operation + 1)) return false;
+    document.change_setups(Document::tr("Move operation"), from, [&](auto& setups, auto& ids) {
+        auto moved = std::move(setups.at(from).operations.at(operation));
+        const int id = ids[from][operation];
+        const auto erase = [operation](auto& list) { list.erase(list.begin() + std::ptrdiff_t(operation)); };
+        erase(setups[from].operations);
+        erase(ids[from]);
+        if (setup == from && at > operation) --at;
+        auto& there = setups.at(setup).operations;
+        const auto place = std::ptrdiff_t(std::min(at, there.size()));
+        there.insert(there.begin() + place, std::move(moved));
+        ids[setup].insert(ids[setup].begin() + place, id);
+    });
+    return true;
+}
+
+Pasted paste_operations(Document& document, std::string_view copied, std::optional<std::size_t> after) {
+    PastedOperations pasted = pasted_operations(copied, document.project());
+    Pasted result;
+    for (const std::string& remark : pasted.remarks)
+        result.remarks << sentence(text(remark)) + QChar('.');
+    result.place = after ? std::min(*after + 1, document.operation_count()) : document.operation_count();
+    document.add_operations(Document::tr("Paste operation"), result.place, std::move(pasted.operations),
+                            pasted.tools);
+    return result;
 }
 
 } // namespace facetmill::ui

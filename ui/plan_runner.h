@@ -24,8 +24,8 @@ public:
 
     /// Plans all operations, or one.
     void plan(std::optional<std::size_t> only = std::nullopt);
-    /// Verifies the plan; what is not planned as it stands is planned first.
-    void verify();
+    /// Verifies the plan, or the operations up to one; what is not planned as it stands is planned first.
+    void verify(std::optional<std::size_t> up_to = std::nullopt);
     AllSetups& all_setups() { return *all_setups_; }
     /// There is something to plan, and nothing runs.
     bool can_plan() const;
@@ -38,8 +38,12 @@ signals:
 
 private:
     struct Work;
-    /// In the job's thread.
-    static void run(Work& work, Planner& planner, SetupPlanners& earlier, const Progress& progress);
+    void start(const std::vector<std::size_t>& wanted);
+    /// In the job's thread; `planned` is told of every operation as it is through.
+    static void run(Work& work, Planner& planner, SetupPlanners& earlier, const Progress& progress,
+                    const std::function<void(const OperationOutcome&)>& planned);
+    /// Takes over what is planned while the others still are.
+    void take(Work& work, const OperationOutcome& outcome);
     void finish(Work& work, const JobEnd& end);
 
     Document& document_;
@@ -51,7 +55,9 @@ private:
     PartController& part_;
     PropertiesPanel& properties_;
     VerificationController& verification_;
-    bool verify_next_ = false; ///< when the planning under way is through
+    /// When the planning under way is through; the operation up to which, where that is not all.
+    bool verify_next_ = false;
+    std::optional<std::size_t> verify_to_;
 };
 
 } // namespace facetmill::ui

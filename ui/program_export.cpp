@@ -32,12 +32,16 @@ ProgramExport::ProgramExport(const Document& document, BackgroundJob& job, Messa
       viewport_(viewport), verification_(verification), window_(window) {}
 
 void ProgramExport::programs_with_dialog() {
-    if (!document_.complete_plan()) {
-        save_programs({}); // says why not
+    ask_folder(std::nullopt);
+}
+
+void ProgramExport::ask_folder(std::optional<std::size_t> only) {
+    if (!document_.complete_plan(only)) {
+        save_programs({}, only); // says why not
         return;
     }
     if (!may_export()) return;
-    const auto plan = document_.complete_plan();
+    const auto plan = document_.complete_plan(only);
     const Project& project = document_.project();
     QStringList files, endings{text(apt_writer().extension)};
     for (std::size_t i = 0; i < plan->operations.size(); ++i)
@@ -51,9 +55,9 @@ void ProgramExport::programs_with_dialog() {
     }
     auto* dialog = new ExportDialog(settings::last_folder(), files, endings, window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    connect(dialog, &QDialog::accepted, this, [this, dialog, only] {
         settings::set_last_folder(dialog->folder());
-        save_programs(dialog->folder());
+        save_programs(dialog->folder(), only);
     });
     dialog->open();
 }
@@ -82,16 +86,18 @@ bool ProgramExport::may_export() {
     return pressed == go_on;
 }
 
-void ProgramExport::save_programs(const QString& folder) {
+void ProgramExport::save_programs(const QString& folder, std::optional<std::size_t> only) {
     if (!properties_.commit()) {
         messages_.warning(tr("A parameter is not valid: correct it before programs are written."));
         return;
     }
     // Only what was planned from the present values is written: an old path under new values would lie.
-    const auto plan = document_.complete_plan();
+    const auto plan = document_.complete_plan(only);
     if (!plan) {
-        messages_.warning(tr("There is nothing to export yet: not every operation is planned "
-                             "as it stands. Press Plan (F5) first."));
+        messages_.warning(
+            only ? tr("There is nothing to export yet: this operation is not planned as it stands.")
+                 : tr("There is nothing to export yet: not every operation is planned "
+                      "as it stands. Press Plan (F5) first."));
         return;
     }
     auto project = std::make_shared<Project>(document_.project());
@@ -134,7 +140,7 @@ bool ProgramExport::may_write_sheet() {
                              "it stands. Press Plan (F5) first."));
         return false;
     }
-    if (verification_.model().current()) return true;
+    if (verification_.model().current() && verification_.model().last_judged().isEmpty()) return true;
     messages_.warning(tr("A setup sheet begins with the verdict of the verification. Press "
                          "Verify (F6) first."));
     return false;

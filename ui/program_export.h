@@ -22,8 +22,10 @@ public:
                   QWidget* window);
 
     void programs_with_dialog();
-    /// Writes the program files and report.json into `folder`, in the background.
-    void save_programs(const QString& folder);
+    /// The program of one operation alone.
+    void program_with_dialog(std::size_t operation) { ask_folder(operation); }
+    /// Writes the program files and report.json into `folder`, in the background; of one operation alone.
+    void save_programs(const QString& folder, std::optional<std::size_t> only = std::nullopt);
     void sheet_with_dialog();
     /// Writes the setup sheet of the plan as it was verified, with the view as it is, in the background.
     void save_sheet(const QString& path);
@@ -35,6 +37,7 @@ signals:
     void verify_wanted();
 
 private:
+    void ask_folder(std::optional<std::size_t> only);
     bool may_export();
     /// Says why not.
     bool may_write_sheet();

@@ -122,6 +122,10 @@ void ProjectItems::add_other_setup(std::size_t i, QTreeWidgetItem* setup) {
 
 } // namespace
 
+TreeNode node_of(const QTreeWidgetItem* item) {
+    return {TreeNode::Kind(item->data(0, kind_role).toInt()), item->data(0, index_role).toULongLong()};
+}
+
 QTreeWidgetItem* add_tree_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
                                const QString& help) {
     auto* item = new QTreeWidgetItem(parent);
@@ -130,6 +134,11 @@ QTreeWidgetItem* add_tree_item(QTreeWidgetItem* parent, TreeNode node, Icon whic
     item->setToolTip(0, (help.isEmpty() ? label : help));
     item->setData(0, kind_role, int(node.kind));
     item->setData(0, index_role, qulonglong(node.index));
+    using Kind = TreeNode::Kind;
+    for (const Kind named : {Kind::operation, Kind::setup, Kind::fixture, Kind::boundary})
+        if (node.kind == named) item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setFlags(item->flags() & ~Qt::ItemIsDragEnabled);
+    if (node.kind == Kind::operation) item->setFlags(item->flags() | Qt::ItemIsDragEnabled);
     return item;
 }
 

@@ -12,6 +12,7 @@ namespace facetmill::ui {
 /// Data of an item: its TreeNode.
 inline constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1;
 
+TreeNode node_of(const QTreeWidgetItem* item);
 QTreeWidgetItem* add_tree_item(QTreeWidgetItem* parent, TreeNode node, Icon which, const QString& label,
                                const QString& help = {});
 /// The setup that an item stands for, or has its operation, where that is not the chosen one's.

@@ -1,12 +1,14 @@
 #include "ui/project_tree.h"
 
-#include "ui/axis_dialog.h"
 #include "ui/boundary_list.h"
 #include "ui/boundary_menu.h"
 #include "ui/fixture_list.h"
 #include "ui/fixture_menu.h"
+#include "ui/node_names.h"
+#include "ui/operation_actions.h"
 #include "ui/operation_list.h"
 #include "ui/project_items.h"
+#include "ui/project_tree_view.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
 #include "ui/tool_library_dialog.h"
@@ -38,6 +40,8 @@ Icon state_icon(OperationState state) {
         return Icon::stale;
     case OperationState::failed:
         return Icon::error;
+    case OperationState::off:
+        return Icon::switched_off;
     }
     return Icon::not_planned;
 }
@@ -57,7 +61,7 @@ bool duplicate_in_list(Document& document, const TreeNode& node) {
     else if (node.kind == TreeNode::Kind::boundary)
         duplicate_boundary(document, node.index);
     else if (node.kind == TreeNode::Kind::operation)
-        document.duplicate_operation(node.index);
+        duplicate_operation(document, node.index);
     else
         return false;
     return true;
@@ -108,23 +112,38 @@ QString state_text(OperationState state) {
         return ProjectTree::tr("Out of date: plan again");
     case OperationState::failed:
         return ProjectTree::tr("Failed");
+    case OperationState::off:
+        return ProjectTree::tr("Switched off");
     }
     return {};
 }
 
 std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree) {
-    return {{"add_operation", tree.add_operation_menu()->menuAction()},
-            {"add_fixture", tree.add_fixture_menu()->menuAction()},
-            {"add_boundary", tree.add_boundary_menu()->menuAction()},
-            {"add_setup", tree.add_setup_menu()->menuAction()},
-            {"go_to_setup", tree.go_to_setup_action()},
-            {"add_tool", tree.add_tool_action()},
-            {"tool_library", tree.tool_library_action()},
-            {"edit", tree.edit_action()},
-            {"duplicate", tree.duplicate_action()},
-            {"remove", tree.remove_action()},
-            {"up", tree.up_action()},
-            {"down", tree.down_action()}};
+    std::vector<std::pair<const char*, QAction*>> commands = tree.operations().commands();
+    const std::pair<const char*, QAction*> own[] = {
+        {"add_operation", tree.add_operation_menu()->menuAction()},
+        {"add_fixture", tree.add_fixture_menu()->menuAction()},
+        {"add_boundary", tree.add_boundary_menu()->menuAction()},
+        {"add_setup", tree.add_setup_menu()->menuAction()},
+        {"go_to_setup", tree.go_to_setup_action()},
+        {"add_tool", tree.add_tool_action()},
+        {"tool_library", tree.tool_library_action()},
+        {"edit", tree.edit_action()},
+        {"duplicate", tree.duplicate_action()},
+        {"remove", tree.remove_action()},
+        {"up", tree.up_action()},
+        {"rename", tree.rename_action()},
+        {"down", tree.down_action()}};
+    commands.insert(commands.end(), std::begin(own), std::end(own));
+    return commands;
+}
+
+ProjectTree::~ProjectTree() {
+    tree_->blockSignals(true); // its items go one by one
+}
+
+QTreeWidget* ProjectTree::tree() {
+    return tree_;
 }
 
 ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
@@ -145,7 +164,7 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
 }
 
 void ProjectTree::make_tree() {
-    tree_ = new QTreeWidget(this);
+    tree_ = new ProjectTreeView(this);
     tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
     tree_->setColumnCount(2);
@@ -169,6 +188,17 @@ void ProjectTree::make_tree() {
         update_actions();
         emit selection_changed();
     });
+    connect(tree_, &QTreeWidget::itemChanged, this, &ProjectTree::take_name);
+    connect(tree_, &ProjectTreeView::moved, this,
+            [this](QTreeWidgetItem* operation, QTreeWidgetItem* onto, bool behind) {
+                // The drag is still on its way through the items, which a change makes anew.
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, what = node_of(operation), where = node_of(onto), behind] {
+                        drop(what, where, behind);
+                    },
+                    Qt::QueuedConnection);
+            });
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
         const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
         if (kind == TreeNode::Kind::tool)
@@ -213,6 +243,16 @@ void ProjectTree::make_actions() {
     go_to_setup_ = new QAction(icon(Icon::place), tr("Go to this setup"), this);
     connect(go_to_setup_, &QAction::triggered, this, &ProjectTree::go_to_setup);
     edit_ = new QAction(icon(Icon::edit), tr("Edit tool…"), this);
+    operations_ = new OperationActions(document_, this);
+    connect(operations_, &OperationActions::pasted, this, [this](std::size_t place) {
+        select({TreeNode::Kind::operation, place});
+    });
+    connect(operations_, &OperationActions::refused, this, &ProjectTree::refused);
+    rename_ = new QAction(tr("Rename"), this);
+    rename_->setShortcut(Qt::Key_F2);
+    rename_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    addAction(rename_);
+    connect(rename_, &QAction::triggered, this, &ProjectTree::rename);
     duplicate_ = new QAction(icon(Icon::duplicate), tr("Duplicate"), this);
     remove_ = new QAction(icon(Icon::remove), tr("Remove"), this);
     remove_->setShortcut(QKeySequence::Delete);
@@ -220,8 +260,8 @@ void ProjectTree::make_actions() {
     up_ = new QAction(icon(Icon::up), tr("Move up"), this);
     down_ = new QAction(icon(Icon::down), tr("Move down"), this);
     addAction(remove_);
-    // What a double click does, and renaming, by keys.
-    for (const int key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2}) {
+    // What a double click does, by keys.
+    for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
         auto* by_key = new QAction(this);
         by_key->setShortcut(key);
         by_key->setShortcutContext(Qt::WidgetShortcut);
@@ -264,8 +304,7 @@ QToolBar* ProjectTree::make_bar() {
 std::optional<TreeNode> ProjectTree::selected() const {
     const QTreeWidgetItem* item = tree_->currentItem();
     if (!item) return std::nullopt;
-    return TreeNode{TreeNode::Kind(item->data(0, kind_role).toInt()),
-                    item->data(0, index_role).toULongLong()};
+    return node_of(item);
 }
 
 QTreeWidgetItem* ProjectTree::item(const TreeNode& node) const {
@@ -273,10 +312,7 @@ QTreeWidgetItem* ProjectTree::item(const TreeNode& node) const {
         [&](QTreeWidgetItem* from) -> QTreeWidgetItem* {
         for (int i = 0; i < from->childCount(); ++i) {
             QTreeWidgetItem* child = from->child(i);
-            if (TreeNode{TreeNode::Kind(child->data(0, kind_role).toInt()),
-                         child->data(0, index_role).toULongLong()}
-                == node)
-                return child;
+            if (node_of(child) == node) return child;
             if (QTreeWidgetItem* below = find(child)) return below;
         }
         return nullptr;
@@ -331,14 +367,16 @@ void ProjectTree::change_setups(const std::function<void()>& change) {
 
 void ProjectTree::show_states() {
     // What stands after an operation is known when all of them are planned: then they can be played back.
-    bool all = document_.has_stock();
-    for (std::size_t i = 0; i < document_.operation_count(); ++i)
-        all = all && document_.state(i) == OperationState::planned;
+    const bool known = document_.has_stock() && document_.all_planned();
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
         QTreeWidgetItem* it = item({TreeNode::Kind::operation, i});
         if (!it) continue;
         const OperationState state = document_.state(i);
+        const bool all = known && state != OperationState::off;
         it->setIcon(0, icon(state_icon(state)));
+        it->setForeground(0, state == OperationState::off
+                                 ? QBrush(tree_->palette().color(QPalette::PlaceholderText))
+                                 : QBrush());
         QString help =
             QStringLiteral("%1 (%2)\n%3")
                 .arg(text(document_.operation(i).common().name),
@@ -401,6 +439,8 @@ void ProjectTree::update_actions() {
     for (QAction* a : add_operation_->actions())
         a->setEnabled(document_.has_part());
     edit_->setEnabled(tool);
+    operations_->set_operation(operation ? std::optional(node->index) : std::nullopt);
+    rename_->setEnabled(node.has_value());
     for (QAction* a : {duplicate_, remove_})
         a->setEnabled(tool || operation || setup || fixture || boundary);
     up_->setEnabled((operation || setup) && node->index > 0);
@@ -414,6 +454,56 @@ void ProjectTree::edit_selected() {
         emit edit_tool(node->index);
     else if (node)
         emit edit_parameters();
+}
+
+void ProjectTree::rename() {
+    QTreeWidgetItem* item = tree_->currentItem();
+    if (item && (item->flags() & Qt::ItemIsEditable))
+        tree_->editItem(item, 0);
+    else
+        edit_selected();
+}
+
+void ProjectTree::take_name(QTreeWidgetItem* item) {
+    if (rebuilding_ || !(item->flags() & Qt::ItemIsEditable)) return;
+    const TreeNode node = node_of(item);
+    const QString name = item->text(0);
+    if (name == node_name(document_, node)) return;
+    // The field is still open over the item, which a change makes anew.
+    QMetaObject::invokeMethod(
+        this,
+        [this, node, name = utf8(name.trimmed())] {
+            try {
+                rename_node(document_, node, name);
+            } catch (const Error& e) {
+                emit refused(sentence(text(e.what())));
+            }
+            if (QTreeWidgetItem* now = this->item(node)) {
+                const QSignalBlocker still(tree_);
+                now->setText(0, node_name(document_, node));
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void ProjectTree::drop(const TreeNode& operation, const TreeNode& onto, bool behind) {
+    const Project& project = document_.project();
+    const std::size_t own = chosen_setup(project);
+    std::size_t setup = own, at = document_.operation_count();
+    if (onto.kind == TreeNode::Kind::operation) {
+        at = onto.index + (behind ? 1 : 0);
+    } else if (const auto there = setup_of(project, onto)) {
+        setup = *there;
+        at = setup_at(project, setup).operations.size();
+        if (onto.kind == TreeNode::Kind::elsewhere) {
+            at = onto.index + (behind ? 1 : 0);
+            for (std::size_t k = 0; k < setup; ++k)
+                at -= setup_at(project, k).operations.size();
+        }
+    }
+    const int id = document_.operation_id(operation.index);
+    if (!place_operation(document_, operation.index, setup, at)) return;
+    if (const auto place = document_.index_of(id)) select({TreeNode::Kind::operation, *place});
 }
 
 void ProjectTree::duplicate() {
@@ -445,7 +535,7 @@ void ProjectTree::move(int by) {
         return;
     }
     if (!node || node->kind != TreeNode::Kind::operation) return;
-    document_.move_operation(node->index, by);
+    move_operation(document_, node->index, by);
     select({node->kind, std::size_t(std::ptrdiff_t(node->index) + by)});
 }
 
@@ -454,25 +544,18 @@ void ProjectTree::menu(const QPoint& at) {
     if (QTreeWidgetItem* under = tree_->itemAt(at)) tree_->setCurrentItem(under);
     const auto node = selected();
     QMenu menu(this);
-    if (node && node->kind == TreeNode::Kind::operation) {
-        menu.addAction(icon(Icon::plan), tr("Plan this operation"), this,
-                       [this, i = node->index] { emit plan_operation(i); });
-        if (has_tool_axis(document_, node->index)) {
-            menu.addAction(tr("Tool axis by angles…"), this,
-                           [this, i = node->index] { ask_tool_axis(document_, i, window()); });
-            menu.addAction(tr("Same tool axis for all operations"), this,
-                           [this, i = node->index] { share_tool_axis(document_, i); });
-        }
-        menu.addSeparator();
-    }
+    operations_->add_to(menu);
     if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);
     if (selected_setup()) menu.addAction(go_to_setup_);
     if (duplicate_->isEnabled()) {
+        if (node->kind != TreeNode::Kind::tool) menu.addAction(rename_);
+        if (node->kind == TreeNode::Kind::operation) menu.addAction(operations_->copy_action());
         menu.addActions({duplicate_, remove_});
         if (node->kind == TreeNode::Kind::operation || node->kind == TreeNode::Kind::setup)
             menu.addActions({up_, down_});
         menu.addSeparator();
     }
+    menu.addAction(operations_->paste_action());
     menu.addMenu(add_operation_);
     menu.addActions({add_tool_, tool_library_});
     menu.addMenu(add_fixture_);

@@ -43,17 +43,20 @@ struct TreeNode {
     bool operator==(const TreeNode&) const = default;
 };
 
+class OperationActions;
+class ProjectTreeView;
 class VerificationModel;
 
 class ProjectTree : public QWidget {
     Q_OBJECT
 public:
     explicit ProjectTree(Document& document, QWidget* parent = nullptr);
-    ~ProjectTree() override { tree_->blockSignals(true); } // its items go one by one
+    ~ProjectTree() override;
 
     std::optional<TreeNode> selected() const;
     void select(const TreeNode& node);
-    QTreeWidget* tree() { return tree_; }
+    QTreeWidget* tree();
+    OperationActions& operations() { return *operations_; }
     QTreeWidgetItem* item(const TreeNode& node) const;
 
     /// Shows a badge for the verdict on every operation. The model lives as long as the tree.
@@ -69,6 +72,7 @@ public:
     QAction* edit_action() { return edit_; }
     QAction* duplicate_action() { return duplicate_; }
     QAction* remove_action() { return remove_; }
+    QAction* rename_action() { return rename_; }
     QAction* up_action() { return up_; }
     QAction* down_action() { return down_; }
 
@@ -76,9 +80,8 @@ signals:
     void selection_changed();
     void edit_tool(std::size_t index);
     void new_tool();
-    /// The parameters of what is selected are wanted, by Enter or F2.
+    /// The parameters of what is selected are wanted, by Enter, or by F2 where it has no name of its own.
     void edit_parameters();
-    void plan_operation(std::size_t index);
     /// A mesh for a new fixture at this place of the list is asked for.
     void new_mesh_fixture(std::size_t at);
     /// A change that the project refuses.
@@ -97,6 +100,10 @@ private:
     void show_verdicts();
     void update_actions();
     void edit_selected();
+    /// Opens a field over the item of what is selected.
+    void rename();
+    void take_name(QTreeWidgetItem* item);
+    void drop(const TreeNode& operation, const TreeNode& onto, bool behind);
     void duplicate();
     void remove();
     void move(int by);
@@ -104,9 +111,10 @@ private:
 
     Document& document_;
     const VerificationModel* verification_ = nullptr;
-    QTreeWidget* tree_ = nullptr;
-    QAction *add_tool_ = nullptr, *tool_library_ = nullptr, *edit_ = nullptr, *duplicate_ = nullptr,
-            *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
+    ProjectTreeView* tree_ = nullptr;
+    OperationActions* operations_ = nullptr;
+    QAction *add_tool_ = nullptr, *tool_library_ = nullptr, *edit_ = nullptr, *rename_ = nullptr,
+            *duplicate_ = nullptr, *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
     QMenu *add_operation_ = nullptr, *add_setup_ = nullptr, *add_fixture_ = nullptr, *add_boundary_ = nullptr;
     QAction* go_to_setup_ = nullptr;
     bool rebuilding_ = false;

@@ -11,7 +11,9 @@ SetupResults::SetupResults(const Document& document) : ids_(document.setup_ids()
         const Project view = view_of_setup(document.project(), k);
         for (std::size_t i = 0; i < ids_[k].size(); ++i) {
             const std::string fingerprint = Document::fingerprint(view, i);
-            if (auto result = document.result_of(ids_[k][i], fingerprint))
+            if (view.operations[i]->common().off)
+                kept_[ids_[k][i]] = {ids_[k][i], nullptr, {}, fingerprint};
+            else if (auto result = document.result_of(ids_[k][i], fingerprint))
                 kept_[ids_[k][i]] = {ids_[k][i], std::move(result), {}, fingerprint};
         }
     }
@@ -39,6 +41,7 @@ std::shared_ptr<const PlanResult> SetupResults::kept(Planner& planner, const Pro
     plan->stock_warnings = stock_warnings(view.stock, *plan->part, view.unit);
     for (const int id : ids) {
         const auto& result = kept_.at(id).result;
+        if (!result) continue; // switched off
         auto programs = programs_of(result);
         if (programs.empty()) plan->idle.push_back(result);
         std::move(programs.begin(), programs.end(), std::back_inserter(plan->operations));
@@ -52,13 +55,17 @@ std::shared_ptr<const PlanResult> SetupResults::plan(Planner& planner, const Pro
     if (!plan) {
         const std::size_t setup = chosen_setup(view);
         std::vector<OperationOutcome> outcomes;
-        for (std::size_t i = 0; i < ids_[setup].size(); ++i)
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < ids_[setup].size(); ++i) {
+            if (view.operations[i]->common().off) continue;
             outcomes.push_back({ids_[setup][i], nullptr, {}, Document::fingerprint(view, i)});
+            names.push_back(view.operations[i]->common().name);
+        }
         plan = planner.plan(view, {}, progress);
-        for (std::size_t i = 0; i < outcomes.size(); ++i)
+        for (std::size_t k = 0; k < outcomes.size(); ++k)
             for (const auto* all : {&plan->operations, &plan->idle})
                 for (const auto& result : *all)
-                    if (result->name == view.operations[i]->common().name) outcomes[i].result = result;
+                    if (result->name == names[k]) outcomes[k].result = result;
         std::move(outcomes.begin(), outcomes.end(), std::back_inserter(outcomes_));
     }
     plan->check_programs();

@@ -33,7 +33,7 @@ private:
                                            const Progress& progress) const;
 
     std::vector<std::vector<int>> ids_;
-    std::map<int, OperationOutcome> kept_; ///< by id
+    std::map<int, OperationOutcome> kept_; ///< by id; those that are switched off without a result
     std::vector<OperationOutcome> outcomes_;
 };
 

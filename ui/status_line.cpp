@@ -11,7 +11,19 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace facetmill::ui {
+
+QString time_left_text(double seconds) {
+    // As coarse as it is known.
+    if (seconds < 10) return StatusLine::tr("a few s left");
+    if (seconds < 55) return StatusLine::tr("%1 s left").arg(10 * std::lround(seconds / 10));
+    if (seconds < 3300) return StatusLine::tr("%1 min left").arg(std::max(1L, std::lround(seconds / 60)));
+    const double hours = seconds / 3600;
+    return StatusLine::tr("%1 h left")
+        .arg(hours < 10 ? QString::number(hours, 'f', 1) : QString::number(std::lround(hours)));
+}
 
 StatusLine::StatusLine(const Document& document, QStatusBar* bar)
     : QObject(bar), document_(document), bar_(bar) {
@@ -22,7 +34,7 @@ StatusLine::StatusLine(const Document& document, QStatusBar* bar)
     progress_->setObjectName(QStringLiteral("progress"));
     progress_->setRange(0, 1000);
     progress_->setTextVisible(true);
-    progress_->setFixedWidth(150);
+    progress_->setFixedWidth(170);
     progress_->setMaximumHeight(16);
     cancel_button_ = new QToolButton(bar);
     cancel_button_->setObjectName(QStringLiteral("cancel_button"));
@@ -51,22 +63,33 @@ void StatusLine::follow(const BackgroundJob& job, QAction* cancel) {
     cancel_button_->setDefaultAction(cancel);
     connect(&job, &BackgroundJob::started, this, [this](const QString& title) {
         activity_->setText(title);
+        since_.start();
         progress_->setValue(0);
+        progress_->setFormat(QStringLiteral("%p %"));
         progress_->show();
         cancel_button_->show();
     });
     connect(&job, &BackgroundJob::progressed, this, [this, &job](double fraction, const QString& label) {
         progress_->setValue(int(fraction * 1000));
+        show_time_left(fraction);
         if (job.cancelling())
             show_cancelling();
         else if (!label.isEmpty())
-            activity_->setText(elided(label, 40));
+            activity_->setText(elided(label, 60));
     });
     connect(&job, &BackgroundJob::ended, this, [this] {
         progress_->hide();
         cancel_button_->hide();
         activity_->setText(tr("Ready"));
     });
+}
+
+void StatusLine::show_time_left(double fraction) {
+    // Before that a guess would jump about.
+    constexpr double min_seconds = 3, min_fraction = 0.03;
+    const double gone = 1e-3 * double(since_.elapsed());
+    if (gone < min_seconds || fraction < min_fraction) return;
+    progress_->setFormat(QStringLiteral("%p % · ") + time_left_text(gone * (1 - fraction) / fraction));
 }
 
 void StatusLine::show_cancelling() {

@@ -5,6 +5,8 @@
 #include "ui/document.h"
 #include "viz/scene.h"
 
+#include <QElapsedTimer>
+
 class QAction;
 class QComboBox;
 class QLabel;
@@ -15,6 +17,9 @@ class QToolButton;
 namespace facetmill::ui {
 
 class ElidedLabel;
+
+/// "40 s left", "3 min left": rounded as roughly as it is known.
+QString time_left_text(double seconds);
 
 class StatusLine : public QObject {
     Q_OBJECT
@@ -35,6 +40,8 @@ signals:
     void unit_chosen(facetmill::LengthUnit unit);
 
 private:
+    void show_time_left(double fraction);
+
     const Document& document_;
     QStatusBar* bar_ = nullptr;
     QProgressBar* progress_ = nullptr;
@@ -43,6 +50,7 @@ private:
     QToolButton* cancel_button_ = nullptr;
     QComboBox* unit_box_ = nullptr;
     QString readout_text_;
+    QElapsedTimer since_; ///< the job began
 };
 
 } // namespace facetmill::ui

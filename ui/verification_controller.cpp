@@ -90,17 +90,21 @@ VerificationController::~VerificationController() = default;
 
 bool VerificationController::can_verify() const {
     if (!document_.part_is_current() || !document_.has_stock()) return false;
-    if (document_.program()) return true;
-    if (document_.operation_count() == 0) return false;
-    for (std::size_t i = 0; i < document_.operation_count(); ++i)
-        if (document_.state(i) != OperationState::planned) return false;
-    return true;
+    return document_.program() || document_.all_planned();
 }
 
-void VerificationController::verify() {
-    if (!can_verify() || job_.running()) return;
-    const auto plan = plan_as_it_stands(document_);
-    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan);
+bool VerificationController::can_verify_to(std::size_t last) const {
+    if (!document_.part_is_current() || !document_.has_stock() || document_.program()) return false;
+    for (std::size_t i = 0; i < last; ++i)
+        if (!document_.is_off(i) && document_.state(i) != OperationState::planned) return false;
+    return document_.state(last) == OperationState::planned;
+}
+
+void VerificationController::verify(std::optional<std::size_t> up_to) {
+    const std::size_t last = up_to.value_or(all_operations_there_are);
+    if (!(up_to ? can_verify_to(last) : can_verify()) || job_.running()) return;
+    const auto plan = plan_as_it_stands(document_, last);
+    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan, last);
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
         tr("Verifying"),
@@ -140,6 +144,8 @@ void VerificationController::tell(const VerificationOutcome& outcome, bool one_o
 QString VerificationController::doubt() const {
     switch (model_.verdict()) {
     case Verdict::verified:
+        if (const QString last = model_.last_judged(); !last.isEmpty())
+            return tr("Only what is cut up to “%1” has been verified.").arg(last);
         return {};
     case Verdict::failed:
         return tr("The path failed verification: %1.").arg(model_.failure_text());
@@ -160,14 +166,17 @@ bool VerificationController::busy() const {
 void VerificationController::follow_plan() {
     std::vector<std::string> key;
     std::vector<std::shared_ptr<const OperationResult>> results;
+    std::vector<int> ids;
     const std::shared_ptr<const OpenedProgram>& opened = document_.program();
     if (can_verify() && opened) {
         key.push_back(Document::part_key(document_.project()) + project_to_json(document_.project()));
         results = opened->operations;
     } else if (can_verify())
         for (std::size_t i = 0; i < document_.operation_count(); ++i) {
+            if (document_.is_off(i)) continue;
             key.push_back(Document::fingerprint(document_.project(), i));
             results.push_back(document_.result(i));
+            ids.push_back(document_.operation_id(i));
         }
     if (key == track_key_ && results == track_results_) return;
     track_key_ = key;
@@ -183,7 +192,7 @@ void VerificationController::follow_plan() {
     double radius = infinity;
     for (std::size_t i = 0; i < results.size(); ++i)
         for (const auto& program : programs_of(results[i])) {
-            PlaybackTrack::Operation o{opened ? -1 - int(i) : document_.operation_id(i),
+            PlaybackTrack::Operation o{opened ? -1 - int(i) : ids[i],
                                        program->name,
                                        {},
                                        program,

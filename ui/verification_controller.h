@@ -30,8 +30,11 @@ public:
 
     /// Every operation is planned as it stands, or a program was opened.
     bool can_verify() const;
-    /// Verifies the plan as it stands in the background job; nothing when `can_verify` is false.
-    void verify();
+    /// The same of the operations up to one.
+    bool can_verify_to(std::size_t last) const;
+    /// Verifies the plan as it stands in the background job, or the operations up to one: they are judged by
+    /// what they are to leave. Nothing where it cannot.
+    void verify(std::optional<std::size_t> up_to = std::nullopt);
     /// Takes over what a job has judged, and tells it.
     void take(const std::vector<std::shared_ptr<const VerificationOutcome>>& outcomes);
     /// Empty when what would be exported has passed; otherwise a sentence that says why it is not to be

@@ -111,7 +111,10 @@ bool VerificationModel::covers_all() const {
     if (!outcome_) return false;
     const Project& project = document_.project();
     const auto [first, last] = setups_of_stock(project, chosen_setup(project));
-    return outcome_->setups.size() == last - first;
+    std::size_t working = 0; // those that are left out have nothing to judge
+    for (std::size_t k = first; k < last; ++k)
+        working += last - first == 1 || !operations_on(setup_at(project, k)).empty() ? 1 : 0;
+    return outcome_->setups.size() == working;
 }
 
 void VerificationModel::list_findings() {
@@ -146,13 +149,15 @@ bool VerificationModel::is_current() const {
         const Project view = view_of_setup(project, setup.place);
         if (setup.part_key != Document::part_key(view)) return false;
         if (outcome_->program) continue;
-        if (setup.posting_key != Document::posting_key(view)
-            || setup.ids != document_.setup_ids()[setup.place])
-            return false;
-        for (std::size_t i = 0; i < setup.ids.size(); ++i)
-            if (Document::fingerprint(view, i) != setup.fingerprints[i]
-                || !document_.result_of(setup.ids[i], setup.fingerprints[i]))
+        std::vector<int> ids = document_.setup_ids()[setup.place];
+        if (!outcome_->last.isEmpty())
+            ids.resize(std::min(ids.size(), setup.ids.size())); // what comes after is free
+        if (setup.posting_key != Document::posting_key(view) || setup.ids != ids) return false;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (Document::fingerprint(view, i) != setup.fingerprints[i]) return false;
+            if (!view.operations[i]->common().off && !document_.result_of(ids[i], setup.fingerprints[i]))
                 return false;
+        }
     }
     return true;
 }
@@ -172,7 +177,7 @@ bool VerificationModel::fits_part() const {
 }
 
 bool VerificationModel::judged(std::size_t operation) const {
-    if (!outcome_ || operation >= document_.operation_count()) return false;
+    if (!outcome_ || operation >= document_.operation_count() || document_.is_off(operation)) return false;
     const int id = document_.operation_id(operation);
     return std::any_of(outcome_->setups.begin(), outcome_->setups.end(), [id](const JudgedSetup& s) {
         return std::find(s.ids.begin(), s.ids.end(), id) != s.ids.end();
@@ -221,8 +226,11 @@ QString subject_text(const VerificationOutcome& outcome) {
                    : VerificationModel::tr("%1 setups as one job, as posted, %2 blocks")
                          .arg(outcome.setups.size())
                          .arg(blocks);
-    return outcome.posted_blocks == 0 ? QString()
-                                      : VerificationModel::tr("the posted program, %1 blocks").arg(blocks);
+    QStringList parts;
+    if (!outcome.last.isEmpty()) parts << VerificationModel::tr("up to “%1”").arg(elided(outcome.last, 24));
+    if (outcome.posted_blocks != 0)
+        parts << VerificationModel::tr("the posted program, %1 blocks").arg(blocks);
+    return parts.join(QStringLiteral(", "));
 }
 
 namespace {

@@ -42,14 +42,16 @@ struct VerificationOutcome {
     /// The program that was judged, where that was not the plan; no `ids` then.
     std::shared_ptr<const OpenedProgram> program;
     std::vector<JudgedProgram> programs; ///< in the order of the verification's
-    std::vector<SetupPlan> chain;        ///< of several setups, as they were planned
-    double across = 0;                   ///< diagonal of the part's box, mm
+    QString last; ///< name of the last operation that was judged, of one setup; empty: all were
+    std::vector<SetupPlan> chain; ///< of several setups, as they were planned
+    double across = 0;            ///< diagonal of the part's box, mm
     VerifyLimits limits;
     std::size_t posted_blocks = 0; ///< of the posted program; 0: the plan itself was judged
     std::shared_ptr<const Verification> verification;
 };
 
-/// "the posted program, 59 414 blocks", "3 setups as one job"; empty where the plan of one setup was judged.
+/// "the posted program, 59 414 blocks", "3 setups as one job", "up to “Rough”"; empty where the plan of one
+/// setup was judged.
 QString subject_text(const VerificationOutcome& outcome);
 /// "2 gouges up to 0.12 mm, 3 collisions"; empty when it passed.
 QString failure_text(const VerificationOutcome& outcome, LengthUnit unit);
@@ -85,6 +87,8 @@ public:
     const JudgedSetup* shown_setup() const;
     /// The whole job was judged, as far as it cuts the stock of the shown setup.
     bool covers_all() const;
+    /// The name of the last operation that was judged, where not all of the setup's were; else empty.
+    QString last_judged() const { return outcome_ ? outcome_->last : QString(); }
     const VerificationOutcome& outcome() const { return *outcome_; }
     const std::shared_ptr<const VerificationOutcome>& outcome_shared() const { return outcome_; }
     const Verification& verification() const { return *outcome_->verification; }

@@ -4,6 +4,7 @@
 #include "core/job/posting.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
+#include "ui/text.h"
 
 namespace facetmill::ui {
 
@@ -33,7 +34,7 @@ JudgedSetup judged_setup(const Project& view, const std::vector<int>& ids) {
 
 } // namespace
 
-std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document) {
+std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document, std::size_t last) {
     auto plan = std::make_shared<PlanResult>();
     plan->part = document.part();
     plan->stock = stock_solid(document.project().stock, *document.part());
@@ -41,9 +42,10 @@ std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document) {
         plan->operations = document.program()->operations;
         return plan;
     }
-    for (std::size_t i = 0; i < document.operation_count(); ++i)
-        for (const auto& program : programs_of(document.result(i)))
-            plan->operations.push_back(program);
+    for (std::size_t i = 0; i < document.operation_count() && i <= last; ++i)
+        if (const auto result = document.result(i))
+            for (const auto& program : programs_of(result))
+                plan->operations.push_back(program);
     return plan;
 }
 
@@ -52,7 +54,8 @@ std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
     return document.program() ? document.program()->programs : verify_programs(document.project(), plan);
 }
 
-std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan) {
+std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan,
+                                                   std::size_t last) {
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->limits = document.project().limits;
     outcome->program = document.program();
@@ -61,10 +64,12 @@ std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, con
         for (const auto& program : plan.operations)
             outcome->programs.push_back({program->name, 0, 0, outcome->programs.size()});
     else
-        for (std::size_t i = 0; i < document.operation_count(); ++i) {
+        for (std::size_t i = 0; i < document.operation_count() && i <= last; ++i) {
             ids.push_back(document.operation_id(i));
-            add_judged_programs(*outcome, 0, ids.back(), document.result(i));
+            if (const auto result = document.result(i)) add_judged_programs(*outcome, 0, ids.back(), result);
         }
+    if (!outcome->program && ids.size() < document.operation_count())
+        outcome->last = text(document.operation(ids.size() - 1).common().name);
     outcome->setups.push_back(judged_setup(document.project(), ids));
     return outcome;
 }

@@ -10,12 +10,17 @@
 
 namespace facetmill::ui {
 
-/// The plan that is shown, or the program in its place; all operations are planned as they stand.
-std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document);
+inline constexpr std::size_t all_operations_there_are = std::size_t(-1);
+
+/// The plan that is shown up to the operation `last`, or the program in its place; operations that are not
+/// switched off are planned as they stand.
+std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document,
+                                                    std::size_t last = all_operations_there_are);
 std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
                                                   const std::shared_ptr<const PlanResult>& plan);
-/// What will be judged of the shown setup, before it is; `plan`: all programs that are shown.
-std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan);
+/// What will be judged of the shown setup, before it is; `plan`: plan_as_it_stands.
+std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan,
+                                                   std::size_t last = all_operations_there_are);
 
 /// Fills in what an outcome of one setup says of its plan, or of the programs that stand in its place. Where
 /// there is a control, what it will run is judged. Throws what programs_to_judge and verify do.

@@ -5,6 +5,7 @@
 #include "ui/cspace_panel.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
+#include "ui/operation_list.h"
 #include "ui/project_tree.h"
 #include "ui/viewport.h"
 
@@ -192,7 +193,7 @@ private slots:
         QTest::keyClick(&w(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(cspace().kept().has_value());
         w().document().add_operation("finish5");
-        w().document().duplicate_operation(0);
+        ui::duplicate_operation(w().document(), 0);
         const auto kept = [&](std::size_t i) {
             return manual_posture_list.of(w().document().operation(i)).size();
         };

@@ -4,6 +4,7 @@
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/global_local/global_local.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/operation_list.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 
@@ -165,7 +166,7 @@ private slots:
         QVERIFY(open_form());
         for (const char* kind : {"cleanup", "global_local"})
             w().document().add_operation(kind);
-        w().document().move_operation(2, 1); // it was put before clean-up
+        ui::move_operation(w().document(), 2, 1); // it was put before clean-up
         w().document().change(QStringLiteral("Edit"), [](Project& p) {
             p.operations[2]->set(switched_off_key, std::string("Valley 1, Valley 3"));
             region_edit_list.set(*p.operations[3], {{{1, 2, 3}, false, 0}});

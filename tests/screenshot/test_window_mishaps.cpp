@@ -187,7 +187,7 @@ private slots:
         auto* tree = w().tree().findChild<QTreeWidget*>();
         w().tree().select({TreeNode::Kind::operation, 0});
         tree->setFocus();
-        QTest::keyClick(tree, Qt::Key_F2);
+        QTest::keyClick(tree, Qt::Key_Return);
         QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(field(w(), "name")));
         QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Upper side")); // over the old name
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);

@@ -4,6 +4,7 @@
 #include "ui/camera_flight.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
+#include "ui/operation_list.h"
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/report_view.h"
@@ -238,7 +239,7 @@ private slots:
         QCOMPARE(badge(), QStringLiteral("Verified"));
         QVERIFY(!bar().isHidden());
         // Another operation in the plan: what was judged is no longer the plan.
-        w().document().duplicate_operation(0);
+        ui::duplicate_operation(w().document(), 0);
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(badge(0), QStringLiteral("Verification out of date"));
         QCOMPARE(badge(1), QStringLiteral("Not verified"));
@@ -395,7 +396,7 @@ private slots:
         QVERIFY(open_part());
         w().tree().select({operation_kind, 0});
         enter(w(), "tolerance", QStringLiteral("0.02"));
-        w().document().duplicate_operation(0);
+        ui::duplicate_operation(w().document(), 0);
         w().document().change(QStringLiteral("name"), [](Project& p) {
             p.operations[1]->common().name =
                 "Second finish with a name as long as nobody should give, but somebody does all the same";
