@@ -75,6 +75,10 @@ public:
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Cleanup>(settings_); }
     bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     std::vector<long> further_tools() const override { return {settings_.previous_tool}; }
+    void renumber_tool(long from, long to) override {
+        Operation::renumber_tool(from, to);
+        if (settings_.previous_tool == from) settings_.previous_tool = to;
+    }
     bool reads_stock() const override { return true; }
     ReadsLeft reads_left() const override { return {settings_.left_points, settings_.rest_material}; }
 
