@@ -45,7 +45,7 @@ bool PlanRunner::can_plan() const {
 
 void PlanRunner::verify(std::optional<std::size_t> up_to) {
     if (job_.running() || !document_.has_part()) return;
-    if (properties_.commit() && (up_to ? verification_.can_verify_to(*up_to) : verification_.can_verify())) {
+    if (properties_.commit() && verification_.can_verify(up_to)) {
         messages_.dismiss();
         verification_.verify(up_to);
         return;

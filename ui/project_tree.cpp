@@ -4,7 +4,6 @@
 #include "ui/boundary_menu.h"
 #include "ui/fixture_list.h"
 #include "ui/fixture_menu.h"
-#include "ui/node_names.h"
 #include "ui/operation_actions.h"
 #include "ui/operation_list.h"
 #include "ui/project_items.h"
@@ -77,6 +76,20 @@ void remove_from_list(Document& document, const TreeNode& node) {
         remove_boundary(document, node.index);
     else if (node.kind == TreeNode::Kind::operation)
         document.remove_operation(node.index);
+}
+
+/// How the part may lie in a setup that is added.
+QMenu* setup_menu(QWidget* parent, const std::function<void(NewSetup)>& add) {
+    auto* menu = new QMenu(ProjectTree::tr("Add setup"), parent);
+    menu->setIcon(icon(Icon::place));
+    const auto entry = [&](NewSetup how, const char* name, const QString& label) {
+        QAction* a = menu->addAction(icon(Icon::place), label, parent, [add, how] { add(how); });
+        a->setObjectName(QString::fromLatin1(name));
+    };
+    entry(NewSetup::flipped_about_x, "setup_about_x", ProjectTree::tr("Turned over about X, same zero"));
+    entry(NewSetup::flipped_about_y, "setup_about_y", ProjectTree::tr("Turned over about Y, same zero"));
+    entry(NewSetup::as_it_lies, "setup_as_it_lies", ProjectTree::tr("As the part lies"));
+    return menu;
 }
 
 /// Where the tree gets smaller its selection stays in sight.
@@ -164,7 +177,7 @@ ProjectTree::ProjectTree(Document& document, QWidget* parent) : QWidget(parent),
 }
 
 void ProjectTree::make_tree() {
-    tree_ = new ProjectTreeView(this);
+    tree_ = new ProjectTreeView(document_, this);
     tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
     tree_->setColumnCount(2);
@@ -188,17 +201,10 @@ void ProjectTree::make_tree() {
         update_actions();
         emit selection_changed();
     });
-    connect(tree_, &QTreeWidget::itemChanged, this, &ProjectTree::take_name);
-    connect(tree_, &ProjectTreeView::moved, this,
-            [this](QTreeWidgetItem* operation, QTreeWidgetItem* onto, bool behind) {
-                // The drag is still on its way through the items, which a change makes anew.
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, what = node_of(operation), where = node_of(onto), behind] {
-                        drop(what, where, behind);
-                    },
-                    Qt::QueuedConnection);
-            });
+    connect(tree_, &ProjectTreeView::refused, this, &ProjectTree::refused);
+    connect(tree_, &ProjectTreeView::placed, this, [this](std::size_t place) {
+        select({TreeNode::Kind::operation, place});
+    });
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
         const auto kind = TreeNode::Kind(item->data(0, kind_role).toInt());
         if (kind == TreeNode::Kind::tool)
@@ -219,17 +225,8 @@ void ProjectTree::make_actions() {
         add_operation_->addAction(icon(Icon::operation), text(kind.label), this, [this, k = kind.kind] {
             select({TreeNode::Kind::operation, document_.add_operation(k)});
         });
-    add_setup_ = new QMenu(tr("Add setup"), this);
-    add_setup_->setIcon(icon(Icon::place));
-    const auto add_setup = [this](NewSetup how, const char* name, const QString& label) {
-        QAction* a = add_setup_->addAction(icon(Icon::place), label, this, [this, how] {
-            change_setups([&] { ui::add_setup(document_, how); });
-        });
-        a->setObjectName(QString::fromLatin1(name));
-    };
-    add_setup(NewSetup::flipped_about_x, "setup_about_x", tr("Turned over about X, same zero"));
-    add_setup(NewSetup::flipped_about_y, "setup_about_y", tr("Turned over about Y, same zero"));
-    add_setup(NewSetup::as_it_lies, "setup_as_it_lies", tr("As the part lies"));
+    add_setup_ =
+        setup_menu(this, [this](NewSetup how) { change_setups([&] { ui::add_setup(document_, how); }); });
     add_fixture_ = fixture_menu(
         this, document_,
         [this](std::size_t at) {
@@ -252,7 +249,9 @@ void ProjectTree::make_actions() {
     rename_->setShortcut(Qt::Key_F2);
     rename_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     addAction(rename_);
-    connect(rename_, &QAction::triggered, this, &ProjectTree::rename);
+    connect(rename_, &QAction::triggered, this, [this] {
+        if (!tree_->edit_name()) edit_selected();
+    });
     duplicate_ = new QAction(icon(Icon::duplicate), tr("Duplicate"), this);
     remove_ = new QAction(icon(Icon::remove), tr("Remove"), this);
     remove_->setShortcut(QKeySequence::Delete);
@@ -308,16 +307,7 @@ std::optional<TreeNode> ProjectTree::selected() const {
 }
 
 QTreeWidgetItem* ProjectTree::item(const TreeNode& node) const {
-    const std::function<QTreeWidgetItem*(QTreeWidgetItem*)> find =
-        [&](QTreeWidgetItem* from) -> QTreeWidgetItem* {
-        for (int i = 0; i < from->childCount(); ++i) {
-            QTreeWidgetItem* child = from->child(i);
-            if (node_of(child) == node) return child;
-            if (QTreeWidgetItem* below = find(child)) return below;
-        }
-        return nullptr;
-    };
-    return find(tree_->invisibleRootItem());
+    return tree_->item_of(node);
 }
 
 void ProjectTree::select(const TreeNode& node) {
@@ -454,56 +444,6 @@ void ProjectTree::edit_selected() {
         emit edit_tool(node->index);
     else if (node)
         emit edit_parameters();
-}
-
-void ProjectTree::rename() {
-    QTreeWidgetItem* item = tree_->currentItem();
-    if (item && (item->flags() & Qt::ItemIsEditable))
-        tree_->editItem(item, 0);
-    else
-        edit_selected();
-}
-
-void ProjectTree::take_name(QTreeWidgetItem* item) {
-    if (rebuilding_ || !(item->flags() & Qt::ItemIsEditable)) return;
-    const TreeNode node = node_of(item);
-    const QString name = item->text(0);
-    if (name == node_name(document_, node)) return;
-    // The field is still open over the item, which a change makes anew.
-    QMetaObject::invokeMethod(
-        this,
-        [this, node, name = utf8(name.trimmed())] {
-            try {
-                rename_node(document_, node, name);
-            } catch (const Error& e) {
-                emit refused(sentence(text(e.what())));
-            }
-            if (QTreeWidgetItem* now = this->item(node)) {
-                const QSignalBlocker still(tree_);
-                now->setText(0, node_name(document_, node));
-            }
-        },
-        Qt::QueuedConnection);
-}
-
-void ProjectTree::drop(const TreeNode& operation, const TreeNode& onto, bool behind) {
-    const Project& project = document_.project();
-    const std::size_t own = chosen_setup(project);
-    std::size_t setup = own, at = document_.operation_count();
-    if (onto.kind == TreeNode::Kind::operation) {
-        at = onto.index + (behind ? 1 : 0);
-    } else if (const auto there = setup_of(project, onto)) {
-        setup = *there;
-        at = setup_at(project, setup).operations.size();
-        if (onto.kind == TreeNode::Kind::elsewhere) {
-            at = onto.index + (behind ? 1 : 0);
-            for (std::size_t k = 0; k < setup; ++k)
-                at -= setup_at(project, k).operations.size();
-        }
-    }
-    const int id = document_.operation_id(operation.index);
-    if (!place_operation(document_, operation.index, setup, at)) return;
-    if (const auto place = document_.index_of(id)) select({TreeNode::Kind::operation, *place});
 }
 
 void ProjectTree::duplicate() {

@@ -100,10 +100,6 @@ private:
     void show_verdicts();
     void update_actions();
     void edit_selected();
-    /// Opens a field over the item of what is selected.
-    void rename();
-    void take_name(QTreeWidgetItem* item);
-    void drop(const TreeNode& operation, const TreeNode& onto, bool behind);
     void duplicate();
     void remove();
     void move(int by);

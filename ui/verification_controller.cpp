@@ -88,23 +88,14 @@ VerificationController::VerificationController(Document& document, Viewport& vie
 
 VerificationController::~VerificationController() = default;
 
-bool VerificationController::can_verify() const {
-    if (!document_.part_is_current() || !document_.has_stock()) return false;
-    return document_.program() || document_.all_planned();
-}
-
-bool VerificationController::can_verify_to(std::size_t last) const {
-    if (!document_.part_is_current() || !document_.has_stock() || document_.program()) return false;
-    for (std::size_t i = 0; i < last; ++i)
-        if (!document_.is_off(i) && document_.state(i) != OperationState::planned) return false;
-    return document_.state(last) == OperationState::planned;
+bool VerificationController::can_verify(std::optional<std::size_t> up_to) const {
+    return can_judge(document_, up_to);
 }
 
 void VerificationController::verify(std::optional<std::size_t> up_to) {
-    const std::size_t last = up_to.value_or(all_operations_there_are);
-    if (!(up_to ? can_verify_to(last) : can_verify()) || job_.running()) return;
-    const auto plan = plan_as_it_stands(document_, last);
-    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan, last);
+    if (!can_verify(up_to) || job_.running()) return;
+    const auto plan = plan_as_it_stands(document_, up_to);
+    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan, up_to);
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
         tr("Verifying"),

@@ -29,9 +29,7 @@ public:
     PlaybackBar* bar() { return bar_; }
 
     /// Every operation is planned as it stands, or a program was opened.
-    bool can_verify() const;
-    /// The same of the operations up to one.
-    bool can_verify_to(std::size_t last) const;
+    bool can_verify(std::optional<std::size_t> up_to = std::nullopt) const; ///< can_judge
     /// Verifies the plan as it stands in the background job, or the operations up to one: they are judged by
     /// what they are to leave. Nothing where it cannot.
     void verify(std::optional<std::size_t> up_to = std::nullopt);

@@ -6,6 +6,8 @@
 #include "core/job/verification.h"
 #include "ui/text.h"
 
+#include <algorithm>
+
 namespace facetmill::ui {
 
 namespace {
@@ -21,6 +23,11 @@ void add_judged_programs(VerificationOutcome& outcome, std::size_t setup, int id
         outcome.programs.push_back({program->name, setup, id, index++});
 }
 
+/// How many operations there are up to one.
+std::size_t operations_to(const Document& document, std::optional<std::size_t> up_to) {
+    return up_to ? std::min(*up_to + 1, document.operation_count()) : document.operation_count();
+}
+
 JudgedSetup judged_setup(const Project& view, const std::vector<int>& ids) {
     JudgedSetup setup;
     setup.place = chosen_setup(view);
@@ -34,7 +41,20 @@ JudgedSetup judged_setup(const Project& view, const std::vector<int>& ids) {
 
 } // namespace
 
-std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document, std::size_t last) {
+bool can_judge(const Document& document, std::optional<std::size_t> up_to) {
+    if (!document.part_is_current() || !document.has_stock()) return false;
+    if (document.program()) return !up_to;
+    bool any = false;
+    for (std::size_t i = 0; i < operations_to(document, up_to); ++i) {
+        if (document.is_off(i)) continue;
+        any = true;
+        if (document.state(i) != OperationState::planned) return false;
+    }
+    return any;
+}
+
+std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document,
+                                                    std::optional<std::size_t> up_to) {
     auto plan = std::make_shared<PlanResult>();
     plan->part = document.part();
     plan->stock = stock_solid(document.project().stock, *document.part());
@@ -42,7 +62,7 @@ std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document, st
         plan->operations = document.program()->operations;
         return plan;
     }
-    for (std::size_t i = 0; i < document.operation_count() && i <= last; ++i)
+    for (std::size_t i = 0; i < operations_to(document, up_to); ++i)
         if (const auto result = document.result(i))
             for (const auto& program : programs_of(result))
                 plan->operations.push_back(program);
@@ -55,7 +75,7 @@ std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
 }
 
 std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan,
-                                                   std::size_t last) {
+                                                   std::optional<std::size_t> up_to) {
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->limits = document.project().limits;
     outcome->program = document.program();
@@ -64,7 +84,7 @@ std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, con
         for (const auto& program : plan.operations)
             outcome->programs.push_back({program->name, 0, 0, outcome->programs.size()});
     else
-        for (std::size_t i = 0; i < document.operation_count() && i <= last; ++i) {
+        for (std::size_t i = 0; i < operations_to(document, up_to); ++i) {
             ids.push_back(document.operation_id(i));
             if (const auto result = document.result(i)) add_judged_programs(*outcome, 0, ids.back(), result);
         }

@@ -5,22 +5,24 @@
 #include "ui/verification_model.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace facetmill::ui {
 
-inline constexpr std::size_t all_operations_there_are = std::size_t(-1);
-
-/// The plan that is shown up to the operation `last`, or the program in its place; operations that are not
+/// A program is shown, or all operations up to one (none: all) are planned as they stand, and part and stock
+/// are there.
+bool can_judge(const Document& document, std::optional<std::size_t> up_to);
+/// The plan that is shown up to the operation `up_to`, or the program in its place; operations that are not
 /// switched off are planned as they stand.
 std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document,
-                                                    std::size_t last = all_operations_there_are);
+                                                    std::optional<std::size_t> up_to = std::nullopt);
 std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
                                                   const std::shared_ptr<const PlanResult>& plan);
 /// What will be judged of the shown setup, before it is; `plan`: plan_as_it_stands.
 std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan,
-                                                   std::size_t last = all_operations_there_are);
+                                                   std::optional<std::size_t> up_to = std::nullopt);
 
 /// Fills in what an outcome of one setup says of its plan, or of the programs that stand in its place. Where
 /// there is a control, what it will run is judged. Throws what programs_to_judge and verify do.
