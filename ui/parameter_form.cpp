@@ -176,6 +176,11 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     if (info.is_list()) { // words and a button: it needs the room of unit and default, and has neither
         grid->addWidget(row.editor, line, 1, 1, 3);
         row.unit->hide();
+    } else if (edge_unit_name(info.quantity, LengthUnit::mm).empty()) {
+        // Three fields side by side would else push the defaults of all rows out of a narrow form.
+        grid->addWidget(row.editor, line, 1, 1, 2);
+        grid->addWidget(row.reset, line, 3);
+        row.unit->hide();
     } else {
         grid->addWidget(row.editor, line, 1);
         grid->addWidget(row.unit, line, 2);
