@@ -1,5 +1,6 @@
 #include "ui/plan_runner.h"
 
+#include "core/job/asked_operations.h"
 #include "core/job/stock_solid.h"
 #include "core/job/work_estimate.h"
 #include "ui/all_setups.h"
@@ -160,15 +161,14 @@ void PlanRunner::run(Work& work, Planner& planner, SetupPlanners& earlier, const
     std::vector<std::string> names;
     for (const std::size_t i : work.wanted)
         names.push_back(work.project.operations[i]->common().name);
+    const double rest = 1 - from;
     const std::vector<double> shares = shares_of(work.project, work.part.part.get(), names);
     for (std::size_t k = 0; k < work.wanted.size(); ++k) {
-        const double to = k + 1 < work.wanted.size() ? from + (1 - from) * shares[k] : 1.0;
+        const double to = k + 1 < work.wanted.size() ? from + rest * shares[k] : 1.0;
         OperationOutcome outcome;
         outcome.id = work.ids[k];
         outcome.fingerprint = Document::fingerprint(work.project, work.wanted[k]);
-        progress.task(work.wanted.size() == 1 ? names[k]
-                                              : names[k] + " (" + std::to_string(k + 1) + " of "
-                                                    + std::to_string(work.wanted.size()) + ")");
+        progress.task(task_text(names[k], k, names.size()));
         try {
             const auto result = planner.plan(work.project, names[k], progress.part(from, to));
             outcome.result = result->operations.empty() ? result->idle.at(0) : result->operations.front();

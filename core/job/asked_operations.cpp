@@ -21,6 +21,16 @@ std::vector<AskedOperation> asked_operations(const Project& project,
     return asked;
 }
 
+std::string task_text(const std::string& operation, std::size_t i, std::size_t n) {
+    return n == 1 ? operation : operation + " (" + std::to_string(i + 1) + " of " + std::to_string(n) + ")";
+}
+
+std::vector<long> tools_of(const Operation& operation) {
+    std::vector<long> numbers = operation.further_tools();
+    numbers.insert(numbers.begin(), operation.common().tool);
+    return numbers;
+}
+
 void refuse_operation(const std::string& name, const std::vector<std::string>& names) {
     const std::string near = nearest_name(name, names);
     throw Error(ErrorCode::missing_reference, "operations", "there is no operation '" + printable(name) + "'",

@@ -22,6 +22,11 @@ struct AskedOperation {
 std::vector<AskedOperation> asked_operations(const Project& project,
                                              const std::function<bool(std::size_t)>& wanted);
 
+/// "Finish (2 of 3)": what a plan of `n` operations is at (Progress::task).
+std::string task_text(const std::string& operation, std::size_t i, std::size_t n);
+/// Numbers of all tools that an operation uses or asks about, its own first.
+std::vector<long> tools_of(const Operation& operation);
+
 /// Throws Error(missing_reference): there is no operation of this name among `names`.
 [[noreturn]] void refuse_operation(const std::string& name, const std::vector<std::string>& names);
 /// Throws Error(missing_key, missing_reference): why nothing of a setup is to be planned, where

@@ -153,12 +153,6 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
     return result;
 }
 
-/// What a plan of `n` operations is at.
-std::string task_text(const Operation& operation, std::size_t i, std::size_t n) {
-    const std::string& name = operation.common().name;
-    return n == 1 ? name : name + " (" + std::to_string(i + 1) + " of " + std::to_string(n) + ")";
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -713,7 +707,7 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const double n = double(asked.size());
         const Operation& operation = *asked[i].operation;
-        if (only_operation.empty()) progress.task(task_text(operation, i, asked.size()));
+        if (only_operation.empty()) progress.task(task_text(operation.common().name, i, asked.size()));
         PlanContext context = setup_context;
         context.tool = project.tool_of(operation);
         context.further_tools = project.further_tools_of(operation);
