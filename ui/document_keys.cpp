@@ -73,8 +73,7 @@ std::string fingerprint(const Project& project, std::size_t i) {
         } catch (const Error&) {
             bounds += "missing"; // planning says what
         }
-        std::vector<long> numbers = operation.further_tools();
-        numbers.insert(numbers.begin(), operation.common().tool);
+        const std::vector<long> numbers = tools_of(operation);
         for (const Tool& t : project.tools)
             if (std::find(numbers.begin(), numbers.end(), t.number) != numbers.end()
                 && std::find_if(alone.tools.begin(), alone.tools.end(), [&](const Tool& known) {

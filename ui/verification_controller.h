@@ -28,8 +28,8 @@ public:
     VerificationPanel* panel() { return panel_; }
     PlaybackBar* bar() { return bar_; }
 
-    /// Every operation is planned as it stands, or a program was opened.
-    bool can_verify(std::optional<std::size_t> up_to = std::nullopt) const; ///< can_judge
+    /// See can_judge.
+    bool can_verify(std::optional<std::size_t> up_to = std::nullopt) const;
     /// Verifies the plan as it stands in the background job, or the operations up to one: they are judged by
     /// what they are to leave. Nothing where it cannot.
     void verify(std::optional<std::size_t> up_to = std::nullopt);

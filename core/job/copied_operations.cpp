@@ -1,6 +1,7 @@
 #include "core/job/copied_operations.h"
 
 #include "core/base/text.h"
+#include "core/job/asked_operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,6 @@ std::string whole_path(const std::filesystem::path& path) {
     std::error_code failed;
     const auto whole = std::filesystem::absolute(path, failed);
     return (failed ? path : whole.lexically_normal()).string();
-}
-
-std::vector<long> tools_of(const Operation& operation) {
-    std::vector<long> numbers = operation.further_tools();
-    numbers.insert(numbers.begin(), operation.common().tool);
-    return numbers;
 }
 
 /// But for the number, and for what a length loses on its way through another unit.
@@ -77,14 +72,12 @@ private:
     }
 
     long number_there(long number) {
-        const auto own = std::find_if(from_.tools.begin(), from_.tools.end(),
-                                      [&](const Tool& t) { return t.number == number; });
-        if (own == from_.tools.end()) return number; // a tool that is named and asked for nothing
+        const Tool* own = find_tool(from_.tools, number);
+        if (!own) return number; // a tool that is named and asked for nothing
         for (const Tool& t : tools_)
             if (is_same_tool(*own, t)) return t.number;
         Tool tool = *own;
-        const auto taken = [&](const Tool& t) { return t.number == tool.number; };
-        if (std::any_of(tools_.begin(), tools_.end(), taken)) tool.number = free_tool_number(tools_);
+        if (find_tool(tools_, number)) tool.number = free_tool_number(tools_);
         tools_.push_back(tool);
         pasted_.tools.push_back(tool);
         return tool.number;

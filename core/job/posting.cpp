@@ -1,6 +1,7 @@
 #include "core/job/posting.h"
 
 #include "core/base/file.h"
+#include "core/job/asked_operations.h"
 #include "core/job/program_files.h"
 #include "core/job/work_zero.h"
 #include "core/output/motion_time.h"
@@ -182,8 +183,7 @@ void check_posting(const Project& project) {
         if (!operation->three_axis()) check_inclined(post, common.name);
         if (operation->turning()) check_turning(post, common.name);
         check_feed(post, machine, common.feed, common.name);
-        std::vector<long> numbers = operation->further_tools();
-        numbers.insert(numbers.begin(), operation->common().tool);
+        const std::vector<long> numbers = tools_of(*operation);
         for (const long number : numbers)
             check_tool_number(post, number, common.name);
         if (one && !post.changes_tools && only && *only != numbers.front())
