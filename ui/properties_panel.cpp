@@ -1,6 +1,7 @@
 #include "ui/properties_panel.h"
 
 #include "core/base/tolerances.h"
+#include "core/job/cutting_choice.h"
 #include "core/job/setting_remarks.h"
 #include "core/job/work_estimate.h"
 #include "core/output/post/post.h"
@@ -8,6 +9,7 @@
 #include "core/strategy/lathe/lathe.h"
 #include "ui/boundary_box.h"
 #include "ui/boundary_list.h"
+#include "ui/cutting_button.h"
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
@@ -337,6 +339,8 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     auto* region_box = new QVBoxLayout;
     region_box->setContentsMargins(8, 4, 8, 4);
     region_box->addWidget(edit_regions_);
+    cutting_ = new CuttingButton(document_, content);
+    region_box->addWidget(cutting_);
     column->addLayout(region_box);
     column->addWidget(form_);
     boundary_box_ = new BoundaryBox(content);
@@ -526,6 +530,8 @@ void PropertiesPanel::refresh() {
     edit_tool_->setVisible(tool);
     choose_mesh_->setVisible(mesh);
     edit_regions_->setVisible(regions);
+    const bool operation = node_ && node_->kind == Kind::operation && document_.has_part();
+    cutting_->set_operation(operation ? std::optional(node_->index) : std::nullopt);
     if (build && !form) form_->set_parameters({}, unit);
 }
 
@@ -640,6 +646,8 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
                 p.machine = std::get<std::string>(value);
             else if (node.kind == Kind::machine)
                 ParameterView<ProgramSpec>(p.programs, program_parameters()).set(key, value);
+            else if (node.kind == Kind::operation && key == "tool")
+                change_tool(*p.operations.at(node.index), p.tools, std::get<long>(value));
             else if (node.kind == Kind::operation)
                 p.operations.at(node.index)->set(key, value);
         });

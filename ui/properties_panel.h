@@ -14,6 +14,7 @@ class QScrollArea;
 namespace facetmill::ui {
 
 class BoundaryBox;
+class CuttingButton;
 class ElidedLabel;
 class ParameterForm;
 class ToolSketch;
@@ -66,6 +67,7 @@ private:
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
     BoundaryBox* boundary_box_ = nullptr;
+    CuttingButton* cutting_ = nullptr;
     QPushButton *edit_tool_ = nullptr, *choose_mesh_ = nullptr, *edit_regions_ = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include "core/tools/library_file.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
+#include "ui/record_table.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/tool_sketch.h"
@@ -10,12 +11,11 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QTableWidget>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -74,12 +74,12 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     form_->set_live(true);
     Tool shown = tool;
     const ParameterView<Tool> view(shown, tool_parameters());
-    form_->set_parameters(view.parameters(), unit_, {}, {holder_list.key}); // the table has it
+    form_->set_parameters(view.parameters(), unit_, {}, {holder_list.key, cutting_list.key});
     form_->set_values(view, unit_);
     connect(form_, &ParameterForm::edited, this, &ToolDialog::set_value);
     connect(form_, &ParameterForm::validity_changed, this, &ToolDialog::validate);
 
-    QLayout* holder_row = make_holder();
+    QWidget* lists = make_lists();
 
     auto* shape_row = new QHBoxLayout;
     shape_row->setContentsMargins(8, 0, 4, 0);
@@ -93,13 +93,9 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumSize(300, 200);
 
-    auto* holder_label = new QLabel(tr("Holder, from the shank upward"), this);
-    holder_label->setIndent(6);
     auto* left = new QVBoxLayout;
     left->addLayout(shape_row);
     left->addWidget(scroll, 1);
-    left->addWidget(holder_label);
-    left->addLayout(holder_row);
 
     sketch_ = new ToolSketch(this);
     sketch_->setMinimumWidth(300);
@@ -120,67 +116,58 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
 
     auto* all = new QVBoxLayout(this);
     all->addLayout(columns, 1);
+    all->addWidget(lists);
     all->addLayout(foot);
-    resize(780, 560);
-    show_holder();
+    resize(780, 620);
+    show_lists();
     validate();
 }
 
-QLayout* ToolDialog::make_holder() {
-    holder_ = new QTableWidget(0, 2, this);
-    holder_->setObjectName(QStringLiteral("holder"));
-    const QString u = text(unit_name(unit_));
-    holder_->setHorizontalHeaderLabels({tr("Diameter (%1)").arg(u), tr("Length (%1)").arg(u)});
-    holder_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    holder_->verticalHeader()->setVisible(false);
-    holder_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    holder_->setMinimumHeight(86);
-    holder_->setMaximumHeight(110);
-    connect(holder_, &QTableWidget::itemChanged, this, [this] {
-        if (!filling_) read_holder();
-    });
-    auto* add = new QToolButton(this);
-    add->setObjectName(QStringLiteral("add_section"));
-    add->setIcon(icon(Icon::add));
-    add->setToolTip(tr("Add a section above the others"));
-    auto* remove = new QToolButton(this);
-    remove->setObjectName(QStringLiteral("remove_section"));
-    remove->setIcon(icon(Icon::remove));
-    remove->setToolTip(tr("Remove the selected section"));
-    connect(add, &QToolButton::clicked, this, [this] {
-        const double shank = tool().shank_diameter;
-        auto sections = tool().holder;
-        sections.push_back(sections.empty() ? HolderSection{shank * 2, shank * 3} : sections.back());
-        edit_.set_holder(std::move(sections));
-        show_holder();
-        validate();
-    });
-    connect(remove, &QToolButton::clicked, this, [this] {
-        auto sections = tool().holder;
-        if (sections.empty()) return;
-        const int row = holder_->currentRow() >= 0 ? holder_->currentRow() : holder_->rowCount() - 1;
-        sections.erase(sections.begin() + row);
-        edit_.set_holder(std::move(sections));
-        show_holder();
-        validate();
-    });
-    auto* library = new QToolButton(this);
+QWidget* ToolDialog::make_lists() {
+    holder_ = new RecordTable(
+        holder_parameters().infos(), unit_,
+        {QStringLiteral("holder"), QStringLiteral("section"), tr("Holder section"),
+         tr("Add a section above the others"), tr("Remove the selected section")},
+        [this](const ParameterRecords& before) {
+            if (!before.all.empty()) return before.all.back();
+            const double shank = tool().shank_diameter;
+            return holder_list.values({{shank * 2, shank * 3}}).all.front();
+        },
+        this);
+    auto* library = new QToolButton(holder_);
     library->setObjectName(QStringLiteral("library_holder"));
     library->setIcon(icon(Icon::tool));
     library->setToolTip(tr("Take a holder of the tool library"));
+    library->setAccessibleName(library->toolTip());
     library->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(library);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { list_holders(*menu); });
     library->setMenu(menu);
-    auto* holder_buttons = new QVBoxLayout;
-    holder_buttons->addWidget(add);
-    holder_buttons->addWidget(remove);
-    holder_buttons->addWidget(library);
-    holder_buttons->addStretch(1);
-    auto* holder_row = new QHBoxLayout;
-    holder_row->addWidget(holder_, 1);
-    holder_row->addLayout(holder_buttons);
-    return holder_row;
+    holder_->add_button(library);
+    connect(holder_, &RecordTable::edited, this, [this] {
+        if (holder_->problem().isEmpty()) edit_.set_holder(holder_list.structs(holder_->records()));
+        validate();
+    });
+
+    cutting_ = new RecordTable(
+        cutting_parameters().infos(), unit_,
+        {QStringLiteral("cutting"), QStringLiteral("cutting"), tr("Feeds and speeds, row"),
+         tr("Add a material"), tr("Remove the selected material")},
+        [](const ParameterRecords& before) {
+            if (!before.all.empty()) return before.all.back();
+            return cutting_list.values({CuttingData()}).all.front();
+        },
+        this);
+    connect(cutting_, &RecordTable::edited, this, [this] {
+        if (cutting_->problem().isEmpty()) edit_.set_cutting(cutting_list.structs(cutting_->records()));
+        validate();
+    });
+
+    auto* lists = new QTabWidget(this);
+    lists->setObjectName(QStringLiteral("lists"));
+    lists->addTab(holder_, tr("&Holder, from the shank upward"));
+    lists->addTab(cutting_, tr("&Feeds and speeds"));
+    return lists;
 }
 
 void ToolDialog::list_holders(QMenu& menu) {
@@ -198,7 +185,7 @@ void ToolDialog::list_holders(QMenu& menu) {
         const QString named = holder.name.empty() ? tr("Holder %1").arg(listed.size()) : text(holder.name);
         menu.addAction(elided(named, 48), this, [this, outline = holder.outline] {
             edit_.set_holder(holder_steps(outline));
-            show_holder();
+            show_lists();
             validate();
         });
     }
@@ -216,47 +203,14 @@ void ToolDialog::show_values() {
     validate();
 }
 
-void ToolDialog::show_holder() {
-    filling_ = true;
-    holder_->setRowCount(int(tool().holder.size()));
-    for (int i = 0; i < holder_->rowCount(); ++i) {
-        const HolderSection& h = tool().holder[std::size_t(i)];
-        holder_->setItem(i, 0, new QTableWidgetItem(text(format_number(h.diameter / mm_per(unit_), 7))));
-        holder_->setItem(i, 1, new QTableWidgetItem(text(format_number(h.length / mm_per(unit_), 7))));
-    }
-    holder_problem_.clear();
-    filling_ = false;
-}
-
-void ToolDialog::read_holder() {
-    std::vector<HolderSection> sections;
-    holder_problem_.clear();
-    filling_ = true;
-    for (int i = 0; i < holder_->rowCount(); ++i) {
-        double values[2] = {0, 0};
-        for (int k = 0; k < 2; ++k) {
-            QTableWidgetItem* item = holder_->item(i, k);
-            try {
-                const ParameterInfo& info = holder_parameters().find(k == 0 ? "diameter" : "length")->info;
-                values[k] = std::get<double>(read_entered(info, item ? item->text() : QString(), unit_, {}));
-                item->setForeground(QBrush());
-                item->setText(shown_number(values[k], info, unit_));
-            } catch (const Error&) {
-                if (item) item->setForeground(QBrush(signal_colors(palette()).bad));
-                holder_problem_ = tr("Holder section %1: %2 must be a number above 0")
-                                      .arg(i + 1)
-                                      .arg(k == 0 ? tr("the diameter") : tr("the length"));
-            }
-        }
-        sections.push_back({values[0], values[1]});
-    }
-    filling_ = false;
-    if (holder_problem_.isEmpty()) edit_.set_holder(std::move(sections));
-    validate();
+void ToolDialog::show_lists() {
+    holder_->set_records(holder_list.values(tool().holder));
+    cutting_->set_records(cutting_list.values(tool().cutting));
 }
 
 QString ToolDialog::problem() const {
-    if (!holder_problem_.isEmpty()) return holder_problem_;
+    for (const RecordTable* list : {holder_, cutting_})
+        if (!list->problem().isEmpty()) return list->problem();
     if (!check_message_.isEmpty()) return check_message_;
     return form_->valid() ? QString() : tr("A value is not valid");
 }

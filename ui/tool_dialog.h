@@ -10,13 +10,12 @@
 class QComboBox;
 class QDialogButtonBox;
 class QLabel;
-class QLayout;
 class QMenu;
-class QTableWidget;
 
 namespace facetmill::ui {
 
 class ParameterForm;
+class RecordTable;
 class ToolSketch;
 
 class ToolDialog : public QDialog {
@@ -39,14 +38,13 @@ signals:
     void taken(std::size_t index);
 
 private:
-    /// The table of its sections, with buttons.
-    QLayout* make_holder();
+    /// The tables of its holder's sections and of its feeds.
+    QWidget* make_lists();
     /// Every holder of the user's libraries once.
     void list_holders(QMenu& menu);
     void set_value(const std::string& key, const ParameterValue& value);
     void show_values();
-    void read_holder();
-    void show_holder();
+    void show_lists();
     void validate();
 
     ToolEdit edit_;
@@ -55,12 +53,12 @@ private:
     ParameterForm* form_ = nullptr;
     ToolSketch* sketch_ = nullptr;
     QComboBox* shape_ = nullptr;
-    QTableWidget* holder_ = nullptr;
+    RecordTable *holder_ = nullptr, *cutting_ = nullptr;
     QLabel* problem_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
     std::string marked_; ///< field that carries the message of the check of all values together
-    QString holder_problem_, check_message_;
-    bool filling_ = false, validating_ = false;
+    QString check_message_;
+    bool validating_ = false;
 };
 
 } // namespace facetmill::ui

@@ -22,7 +22,7 @@ namespace facetmill::ui {
 
 namespace {
 
-enum Column { number, name, shape, diameter, flutes, material, library, columns };
+enum ToolColumn { number, name, shape, diameter, flutes, material, cutting, library, columns };
 
 /// The row's tool; rows are sorted and filtered, the list is not.
 constexpr int entry_role = Qt::UserRole + 1;
@@ -44,6 +44,16 @@ private:
 
 QString counted(std::size_t tools) {
     return tools == 1 ? ToolLibraryDialog::tr("1 tool") : ToolLibraryDialog::tr("%1 tools").arg(tools);
+}
+
+/// The materials that a tool has feeds for.
+QString feeds_of(const Tool& tool) {
+    QStringList materials;
+    for (const CuttingData& data : tool.cutting) {
+        const QString called = text(data.material.empty() ? data.name : data.material);
+        if (!called.isEmpty() && !materials.contains(called)) materials << called;
+    }
+    return materials.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -72,7 +82,7 @@ ToolLibraryDialog::ToolLibraryDialog(Document& document, std::filesystem::path f
     table_->setObjectName(QStringLiteral("tools"));
     table_->setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Shape"),
                                        tr("Diameter (%1)").arg(text(unit_name(document_.unit()))),
-                                       tr("Flutes"), tr("Material"), tr("Library")});
+                                       tr("Flutes"), tr("Material"), tr("Feeds for"), tr("Library")});
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->setVisible(false);
@@ -161,10 +171,13 @@ void ToolLibraryDialog::show_tools() {
         table_->setItem(row, name, new QTableWidgetItem(named));
         table_->setItem(row, shape, new QTableWidgetItem(shaped));
         table_->setItem(row, diameter, new NumberItem(size, t.tool.diameter));
-        table_->setItem(
-            row, flutes,
-            new NumberItem(t.flutes > 0 ? QString::number(t.flutes) : QString(), double(t.flutes)));
+        table_->setItem(row, flutes,
+                        new NumberItem(t.tool.flutes > 0 ? QString::number(t.tool.flutes) : QString(),
+                                       double(t.tool.flutes)));
         table_->setItem(row, material, new QTableWidgetItem(made));
+        const QString run = feeds_of(t.tool);
+        table_->setItem(row, cutting, new QTableWidgetItem(run));
+        table_->item(row, cutting)->setToolTip(run);
         table_->setItem(row, library, new QTableWidgetItem(entries_[i].library));
         table_->item(row, number)->setData(entry_role, qulonglong(i));
         table_->item(row, name)->setToolTip(named);

@@ -19,8 +19,9 @@
 
 namespace facetmill {
 
-/// Stages of a plan, in order; a changed parameter makes its stage and all later ones stale.
-enum class Stage { mesh, cutter, contact, cspace, strategy, link, verify, output };
+/// Stages of a plan, in order; a changed parameter makes its stage and all later ones stale. What no stage
+/// reads, as it helps the user alone, stands behind them: `advice`.
+enum class Stage { mesh, cutter, contact, cspace, strategy, link, verify, output, advice };
 
 enum class ParameterKind {
     number,         ///< double

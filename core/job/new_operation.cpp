@@ -1,5 +1,6 @@
 #include "core/job/new_operation.h"
 
+#include "core/job/cutting_choice.h"
 #include "core/setup/tool_edit.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ public:
                 clean_up();
                 break;
             }
+            run_as_tool_says();
         }
         return std::move(made_);
     }
@@ -156,6 +158,17 @@ private:
         common().tool = tool ? tool->number : made_.tool->number;
     }
 
+    /// Feeds of a neighbour are those of another tool.
+    void run_as_tool_says() {
+        const Tool* tool = find_tool(project_.tools, common().tool);
+        const Operation* from = neighbor();
+        if (!tool || (from && from->common().tool == tool->number)) return;
+        const Tool* before = from ? find_tool(project_.tools, from->common().tool) : nullptr;
+        const CuttingData* ran_by = before ? runs_by(*from, *before) : nullptr;
+        if (const CuttingData* data = cutting_for(*tool, ran_by ? ran_by->material : std::string()))
+            run_by(*made_.operation, *tool, *data);
+    }
+
     /// A ball of half its size, as slim as that above its flutes.
     Tool half_of(const Tool& tool) const {
         Tool half = tool;
@@ -163,6 +176,7 @@ private:
         half.diameter = half.shank_diameter = 0.5 * tool.diameter;
         half.corner_radius = 0.5 * half.diameter;
         half.bottom_angle = half.taper_angle = 0;
+        half.cutting.clear(); // those of the larger one
         half.name = usual_tool_name(half, project_.unit);
         return half;
     }

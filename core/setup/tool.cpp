@@ -12,6 +12,9 @@ namespace {
 
 using tolerance::largest_tool;
 constexpr double steepest_angle = tolerance::steepest_tool_angle;
+/// As operations may have them.
+constexpr double largest_spindle = 1e6, largest_feed = 1e6;
+constexpr double most_flutes = 1000;
 
 /// The tool's key for a letter of the cutter.
 std::string key_of(const std::string& letter) {
@@ -44,6 +47,47 @@ const ParameterTable<HolderSection>& holder_parameters() {
             "give the section's diameter");
         add(&HolderSection::length, "length", "Length", "Length of the section along the axis.",
             "give the section's length");
+        return t;
+    }();
+    return table;
+}
+
+const ParameterTable<CuttingData>& cutting_parameters() {
+    static const auto table = [] {
+        using Q = Quantity;
+        ParameterTable<CuttingData> t;
+        const auto add_text = [&](std::string CuttingData::*member, const char* key, const char* label,
+                                  const char* help) {
+            t.add(member, {.key = key,
+                           .label = label,
+                           .help = help,
+                           .kind = ParameterKind::text,
+                           .stage = Stage::advice});
+        };
+        const auto add = [&](double CuttingData::*member, const char* key, const char* label,
+                             const char* help, Q quantity, double maximum) {
+            t.add(member, {.key = key,
+                           .label = label,
+                           .help = help,
+                           .quantity = quantity,
+                           .minimum = 0,
+                           .maximum = maximum,
+                           .stage = Stage::advice});
+        };
+        add_text(&CuttingData::name, "name", "Name", "What it is called.");
+        add_text(&CuttingData::material, "material", "Material", "What is cut.");
+        add(&CuttingData::spindle, "spindle", "Spindle", "Turns of the tool; 0 where nobody says.",
+            Q::rotation, largest_spindle);
+        add(&CuttingData::feed, "feed", "Feed", "Of cuts; 0: from spindle, chip load and flutes.", Q::feed,
+            largest_feed);
+        add(&CuttingData::plunge_feed, "plunge_feed", "Plunge feed", "Into the material; 0: half the feed.",
+            Q::feed, largest_feed);
+        add(&CuttingData::chip_load, "chip_load", "Chip load",
+            "What every edge takes in a turn; 0 where nobody says.", Q::length, largest_tool);
+        add(&CuttingData::stepover, "stepover", "Step-over", "Between passes; 0 where nobody says.",
+            Q::length, largest_tool);
+        add(&CuttingData::depth, "depth", "Depth", "Of layers; 0 where nobody says.", Q::length,
+            largest_tool);
         return t;
     }();
     return table;
@@ -136,6 +180,22 @@ const ParameterTable<Tool>& tool_parameters() {
                        .stage = stage,
                        .nouns = {"section", "sections"},
                        .written_empty = true});
+        t.add(&Tool::flutes, {.key = "flutes",
+                              .label = "Flutes",
+                              .help = "Cutting edges; 0 where nobody says. Feeds are worked out from a chip "
+                                      "load by it.",
+                              .kind = K::integer,
+                              .quantity = Q::count,
+                              .minimum = 0,
+                              .maximum = most_flutes,
+                              .stage = Stage::advice,
+                              .default_unwritten = true});
+        t.add_records(&Tool::cutting, cutting_list,
+                      {.label = "Feeds and speeds",
+                       .help = "How the tool is run, by material. Operations take it over when they take "
+                               "the tool.",
+                       .stage = Stage::advice,
+                       .nouns = {"material", "materials"}});
         return t;
     }();
     return table;

@@ -16,6 +16,16 @@ struct HolderSection {
     bool operator==(const HolderSection&) const = default;
 };
 
+/// How the tool is run in a material, as its maker or its user says; 0 where nobody did. Operations may take
+/// it over (cutting_choice.h); it is no part of a plan.
+struct CuttingData {
+    std::string name, material;
+    double spindle = 0, feed = 0, plunge_feed = 0; ///< rpm, mm/min
+    double chip_load = 0;                          ///< mm a turn and edge
+    double stepover = 0, depth = 0;                ///< mm
+    bool operator==(const CuttingData&) const = default;
+};
+
 /// Tools are numbered from 1 to this.
 inline constexpr long largest_tool_number = 99999;
 
@@ -30,6 +40,8 @@ struct Tool {
     double flute_length = 20;
     double shank_diameter = 6, shank_length = 30;
     std::vector<HolderSection> holder;
+    long flutes = 0; ///< cutting edges; 0: unsaid
+    std::vector<CuttingData> cutting;
 
     /// The cutting part; throws Error(out_of_range) naming the parameter when the values make no convex
     /// cutter.
@@ -46,6 +58,8 @@ long free_tool_number(const std::vector<Tool>& tools);
 
 const ParameterTable<HolderSection>& holder_parameters();
 inline constexpr RecordList<HolderSection> holder_list{"holder", holder_parameters};
+const ParameterTable<CuttingData>& cutting_parameters();
+inline constexpr RecordList<CuttingData> cutting_list{"cutting", cutting_parameters};
 const ParameterTable<Tool>& tool_parameters();
 
 /// Checks every value by itself and all together (corner radius against diameter, taper against flute length,

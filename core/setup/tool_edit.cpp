@@ -155,6 +155,11 @@ void ToolEdit::set_holder(std::vector<HolderSection> holder) {
     key_.clear();
 }
 
+void ToolEdit::set_cutting(std::vector<CuttingData> cutting) {
+    tool_.cutting = std::move(cutting);
+    key_.clear();
+}
+
 void ToolEdit::set_shape(CutterShape shape) {
     if (shape == CutterShape::special) return;
     key_.clear();

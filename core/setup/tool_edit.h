@@ -33,6 +33,7 @@ public:
     /// Corner radius, angles and, where the shape asks for it, the flutes; nothing for `special`.
     void set_shape(CutterShape shape);
     void set_holder(std::vector<HolderSection> holder);
+    void set_cutting(std::vector<CuttingData> cutting);
 
 private:
     void follow(double old_diameter);

@@ -99,6 +99,30 @@ void set_shank(Tool& tool, std::optional<double> diameter, std::optional<double>
     tool.shank_length = std::max(0.0, below_holder.value_or(0) - tool.flute_length);
 }
 
+namespace {
+
+/// A tool is good without what nobody can run it by.
+void check_cutting(Tool& tool, ToolRemarks& remarks) {
+    try {
+        tool_parameters().find("flutes")->info.check(tool.flutes);
+    } catch (const Error& e) {
+        remarks.add(std::string("without its flutes: ") + e.what());
+        tool.flutes = 0;
+    }
+    std::erase_if(tool.cutting, [&](const CuttingData& data) {
+        try {
+            for (const auto& entry : cutting_parameters().entries())
+                entry.info.check(entry.get(data));
+            return false;
+        } catch (const Error& e) {
+            remarks.add("without how it is run ('" + printable(data.name) + "'): " + e.what());
+            return true;
+        }
+    });
+}
+
+} // namespace
+
 void add_checked(ReadLibrary& read, LibraryTool tool, ToolRemarks& remarks) {
     const auto too_large = [](const HolderCone& c) {
         return !(c.length >= 0 && c.lower_diameter >= 0 && c.upper_diameter >= 0
@@ -118,6 +142,7 @@ void add_checked(ReadLibrary& read, LibraryTool tool, ToolRemarks& remarks) {
             }
         put_into_holder(tool, std::move(tool.holder));
     }
+    check_cutting(tool.tool, remarks);
     try {
         check_tool(tool.tool);
         read.library.tools.push_back(std::move(tool));

@@ -47,7 +47,7 @@ std::string quantity(double mm, LengthUnit unit) {
 
 /// What every FreeCAD tool says of itself beside its shape. Attributes have no fixed names: these are in use.
 void read_common(LooseObject& p, LooseObject& attributes, LibraryTool& t, LengthUnit unit) {
-    t.flutes = p.count("Flutes");
+    t.tool.flutes = p.count("Flutes");
     t.material = p.text("Material");
     t.overall_length = p.length("Length", unit).value_or(0);
     t.vendor = attributes.text("Vendor");
@@ -62,7 +62,7 @@ void read_common(LooseObject& p, LooseObject& attributes, LibraryTool& t, Length
     c.plunge_feed = attributes.length("plunge_feedrate", unit).value_or(0);
     c.stepover = attributes.length("stepover", unit).value_or(0);
     c.depth = attributes.length("stepdown", unit).value_or(0);
-    if (c != CuttingData{c.name, {}}) t.cutting.push_back(c);
+    if (c != CuttingData{c.name, {}}) t.tool.cutting.push_back(c);
 }
 
 CutterSizes read_sizes(CutterKind kind, LooseObject& p, LengthUnit unit, ToolRemarks& remarks) {
@@ -142,8 +142,8 @@ Json attributes_of(const LibraryTool& t, LengthUnit unit) {
     say("Vendor", t.vendor);
     say("ProductId", t.product_id);
     say("Comment", t.comment);
-    if (t.cutting.empty()) return attributes;
-    const CuttingData& c = t.cutting[0];
+    if (t.tool.cutting.empty()) return attributes;
+    const CuttingData& c = t.tool.cutting[0];
     say("Preset", c.name);
     say("StockMaterial", c.material);
     if (c.spindle > 0) attributes["spindleSpeed"] = format_number(c.spindle, file_digits);
@@ -234,7 +234,7 @@ std::string write_freecad_tool(const LibraryTool& t, LengthUnit unit, std::vecto
     Json p = {
         {"CuttingEdgeHeight", quantity(s.flute_length, unit)},
         {"Diameter", quantity(s.kind == CutterKind::tapered_ball ? 2 * s.corner_radius : s.diameter, unit)},
-        {"Flutes", t.flutes},
+        {"Flutes", t.tool.flutes},
         {"Length", quantity(below, unit)},
         {"Material", t.material},
         {"ShankDiameter", quantity(t.tool.shank_diameter, unit)}};
@@ -250,9 +250,9 @@ std::string write_freecad_tool(const LibraryTool& t, LengthUnit unit, std::vecto
     };
     lost("the holder", !t.tool.holder.empty());
     lost("overall_length", t.overall_length > 0 && std::abs(t.overall_length - below) > 1e-9);
-    lost("all cutting data but the first", t.cutting.size() > 1);
-    if (!t.cutting.empty() && t.cutting[0].chip_load > 0)
-        p["Chipload"] = quantity(t.cutting[0].chip_load, unit);
+    lost("all cutting data but the first", t.tool.cutting.size() > 1);
+    if (!t.tool.cutting.empty() && t.tool.cutting[0].chip_load > 0)
+        p["Chipload"] = quantity(t.tool.cutting[0].chip_load, unit);
     return json_file({{"version", 2},
                       {"name", t.tool.name},
                       {"shape", std::string(shape->name) + ".fcstd"},

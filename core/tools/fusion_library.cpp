@@ -157,7 +157,7 @@ void read_one(LooseObject object, ReadLibrary& read) {
         remarks.add(std::string("left out: ") + e.what());
         return;
     }
-    t.flutes = geometry.count("NOF");
+    t.tool.flutes = geometry.count("NOF");
     t.overall_length = geometry.length("OAL", unit).value_or(0);
     if (geometry.has("HAND") && geometry.text("HAND") == "false")
         remarks.add("it turns the other way, which is not carried");
@@ -166,7 +166,7 @@ void read_one(LooseObject object, ReadLibrary& read) {
     remarks.not_carried(geometry);
     if (object.has("holder")) t.holder = read_holder(object.object("holder"), unit, remarks);
     for (const LooseObject& preset : object.object("start-values").objects("presets"))
-        t.cutting.push_back(read_preset(preset, unit, remarks));
+        t.tool.cutting.push_back(read_preset(preset, unit, remarks));
     object.drop({"guid", "reference_guid", "last_modified", "shaft", "expressions", "product-link"});
     remarks.not_carried(object);
     add_checked(read, std::move(t), remarks);
@@ -225,7 +225,7 @@ Json geometry_json(const LibraryTool& t, const CutterSizes& s, double per) {
               {"HAND", true},
               {"LB", length(below)},
               {"LCF", length(s.flute_length)},
-              {"NOF", t.flutes},
+              {"NOF", t.tool.flutes},
               {"OAL", length(std::max(t.overall_length, below))},
               {"SFDM", length(t.tool.shank_diameter)},
               {"shoulder-length", length(s.flute_length)}};
@@ -285,7 +285,7 @@ std::string write_fusion(const ToolLibrary& library, std::vector<std::string>& r
             {"type", type->type},
             {"unit", library.unit == LengthUnit::inch ? "inches" : "millimeters"},
             {"vendor", t.vendor}};
-        for (const CuttingData& c : t.cutting)
+        for (const CuttingData& c : t.tool.cutting)
             one["start-values"]["presets"].push_back(preset_json(c, per));
         if (!t.holder.outline.empty()) one["holder"] = holder_json(t.holder, library.unit);
         data.push_back(std::move(one));

@@ -38,27 +38,6 @@ ToolHolder read_holder(LooseObject object, LengthUnit unit) {
     return holder;
 }
 
-Json cutting_json(const CuttingData& c, double per) {
-    return {{"name", c.name},
-            {"material", c.material},
-            {"spindle", number_json(c.spindle, "spindle")},
-            {"feed", number_json(c.feed / per, "feed")},
-            {"plunge_feed", number_json(c.plunge_feed / per, "plunge_feed")},
-            {"chip_load", number_json(c.chip_load / per, "chip_load")},
-            {"stepover", number_json(c.stepover / per, "stepover")},
-            {"depth", number_json(c.depth / per, "depth")}};
-}
-
-CuttingData read_cutting(LooseObject object, LengthUnit unit) {
-    CuttingData c{object.text("name"), object.text("material"), object.number("spindle").value_or(0)};
-    c.feed = object.length("feed", unit).value_or(0);
-    c.plunge_feed = object.length("plunge_feed", unit).value_or(0);
-    c.chip_load = object.length("chip_load", unit).value_or(0);
-    c.stepover = object.length("stepover", unit).value_or(0);
-    c.depth = object.length("depth", unit).value_or(0);
-    return c;
-}
-
 } // namespace
 
 ReadLibrary read_own(const Json& json, const std::string& name) {
@@ -76,20 +55,17 @@ ReadLibrary read_own(const Json& json, const std::string& name) {
         const std::string place = strict::element("tools", i);
         strict::expect_object(tools[i], place);
         LibraryTool t;
-        const std::vector<std::string> own = {"flutes",     "overall_length", "material", "vendor",
-                                              "product_id", "comment",        "held_by",  "cutting"};
+        const std::vector<std::string> own = {"overall_length", "material", "vendor",
+                                              "product_id",     "comment",  "held_by"};
         ParameterView<Tool> view(t.tool, tool_parameters());
         read_parameters(tools[i], place, view, unit, own);
         LooseObject object(tools[i], place);
-        t.flutes = object.count("flutes");
         t.overall_length = object.length("overall_length", unit).value_or(0);
         t.material = object.text("material");
         t.vendor = object.text("vendor");
         t.product_id = object.text("product_id");
         t.comment = object.text("comment");
         if (object.has("held_by")) t.holder = read_holder(object.object("held_by"), unit);
-        for (const LooseObject& c : object.objects("cutting"))
-            t.cutting.push_back(read_cutting(c, unit));
         check_tool(t.tool);
         read.library.tools.push_back(std::move(t));
     }
@@ -111,16 +87,12 @@ std::string write_own(const ToolLibrary& library) {
         Tool tool = t.tool;
         write_parameters(one, strict::element("tools", i), ParameterView<Tool>(tool, tool_parameters()),
                          library.unit);
-        one["flutes"] = t.flutes;
         one["overall_length"] = number_json(t.overall_length / per, "overall_length");
         one["material"] = t.material;
         one["vendor"] = t.vendor;
         one["product_id"] = t.product_id;
         one["comment"] = t.comment;
         one["held_by"] = holder_json(t.holder, per);
-        one["cutting"] = Json::array();
-        for (const CuttingData& c : t.cutting)
-            one["cutting"].push_back(cutting_json(c, per));
         file["tools"].push_back(std::move(one));
     }
     file["holders"] = Json::array();

@@ -18,13 +18,13 @@ void tell_lost(const LibraryTool& t, ToolRemarks& told) {
         if (said) told.add(std::string(what) + " is not carried");
     };
     lost("the holder", !t.tool.holder.empty());
-    lost("flutes", t.flutes != 0);
+    lost("flutes", t.tool.flutes != 0);
     lost("material", !t.material.empty());
     lost("vendor", !t.vendor.empty());
     lost("product_id", !t.product_id.empty());
     lost("comment", !t.comment.empty());
     lost("overall_length", t.overall_length > 0);
-    lost("cutting", !t.cutting.empty());
+    lost("cutting", !t.tool.cutting.empty());
 }
 void tell_lost(const ToolLibrary& library, std::vector<std::string>& remarks) {
     for (const ToolHolder& h : library.holders)

@@ -21,23 +21,13 @@ struct ToolHolder {
     bool operator==(const ToolHolder&) const = default;
 };
 
-/// How a tool is run in a material; 0 where nobody said.
-struct CuttingData {
-    std::string name, material;
-    double spindle = 0, feed = 0, plunge_feed = 0, chip_load = 0; ///< chip_load: mm a turn and edge
-    double stepover = 0, depth = 0;
-    bool operator==(const CuttingData&) const = default;
-};
-
 struct LibraryTool {
     /// Its holder has the outline below as cylinders.
     Tool tool;
     ToolHolder holder;
-    long flutes = 0;           ///< 0: unsaid
     double overall_length = 0; ///< with what is in the holder; 0: unsaid
     std::string material;      ///< it is made of
     std::string vendor, product_id, comment;
-    std::vector<CuttingData> cutting;
 };
 
 struct ToolLibrary {

@@ -22,6 +22,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -384,6 +385,53 @@ private slots:
         QVERIFY(dialog->problem().contains(QStringLiteral("another tool")));
         dialog->reject();
         QCOMPARE(w().document().project().tools.size(), std::size_t(1));
+    }
+
+    /// Feeds typed into a tool's dialog, taken over by operations as they take the tool, and from the menu.
+    void feeds_of_a_tool() {
+        QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::tool, 0});
+        w().tree().edit_action()->trigger();
+        auto* dialog = w().findChild<ui::ToolDialog*>();
+        QVERIFY(dialog && activate(*dialog));
+        dialog->findChild<QTabWidget*>(QStringLiteral("lists"))->setCurrentIndex(1);
+        auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("cutting"));
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        auto* add = dialog->findChild<QToolButton*>(QStringLiteral("add_cutting"));
+        for (const auto& [material, spindle, feed] :
+             {std::tuple("Lime wood", "18000", "90"), {"Brass", "9000", "20"}}) {
+            QTest::mouseClick(add, Qt::LeftButton);
+            const int row = table->rowCount() - 1;
+            table->item(row, 1)->setText(QString::fromLatin1(material));
+            table->item(row, 2)->setText(QString::fromLatin1(spindle));
+            table->item(row, 3)->setText(QString::fromLatin1(feed));
+        }
+        QVERIFY(table->item(0, 4)->text().isEmpty()); // nobody has said it
+        table->item(1, 3)->setText(QStringLiteral("quick"));
+        QVERIFY(!ok->isEnabled() && dialog->problem().contains(QStringLiteral("row 2, feed")));
+        shot(*dialog, QStringLiteral("dialog-tool-feeds"));
+        table->item(1, 3)->setText(QStringLiteral("20"));
+        QVERIFY2(ok->isEnabled(), qPrintable(dialog->problem()));
+        QTest::mouseClick(ok, Qt::LeftButton);
+        const Project& project = w().document().project();
+        QCOMPARE(project.tools[0].cutting.size(), std::size_t(2));
+        QCOMPARE(project.tools[0].cutting[0].feed, 90 * 25.4);
+
+        w().tree().select({TreeNode::Kind::operation, 0});
+        auto* choice = w().findChild<QPushButton*>(QStringLiteral("cutting_choice"));
+        QVERIFY(choice->isVisible());
+        QCOMPARE(choice->text(), QStringLiteral("Feeds of the tool"));
+        emit choice->menu()->aboutToShow();
+        QCOMPARE(choice->menu()->actions().size(), 2);
+        choice->menu()->actions().at(1)->trigger();
+        QCOMPARE(project.operations[0]->common().spindle, 9000.0);
+        QCOMPARE(project.operations[0]->common().feed, 20 * 25.4);
+        QVERIFY2(choice->text().contains(QStringLiteral("Brass")), qPrintable(choice->text()));
+        shot(w(), QStringLiteral("window-feeds"));
+        w().document().undo_stack().undo();
+        QCOMPARE(choice->text(), QStringLiteral("Feeds of the tool"));
+        w().tree().select({TreeNode::Kind::stock, 0});
+        QVERIFY(!choice->isVisible());
     }
 
     /// From the menu, with nothing kept yet; then tools kept, imported, found, added and exported.

@@ -1,7 +1,8 @@
-// A tool of a list, with a shank as wide as its cutter.
+// Tools of a list, with a shank as wide as their cutters, and what operations say of them.
 #pragma once
 
 #include "core/setup/tool.h"
+#include "core/strategy/plan/operation.h"
 
 #include <string>
 
@@ -14,6 +15,10 @@ inline Tool listed_tool(long number, double diameter, double corner) {
     t.diameter = t.shank_diameter = diameter;
     t.corner_radius = corner;
     return t;
+}
+
+inline double number_of(const Operation& o, const char* key) {
+    return std::get<double>(o.get(key));
 }
 
 } // namespace facetmill::test

@@ -40,10 +40,6 @@ std::string kinds(const Project& p) {
     return text;
 }
 
-double number_of(const Operation& o, const char* key) {
-    return std::get<double>(o.get(key));
-}
-
 } // namespace
 
 class TestNewOperation : public QObject {

@@ -258,8 +258,8 @@ private slots:
         row("unknown part key", changed("\"rotate\"", "\"rotat\""), "unknown_key", "p.facetmill: part.rotat");
         row("unknown stock key", changed("\"margin\"", "\"margins\""), "unknown_key",
             "p.facetmill: stock.margins");
-        row("unknown tool key", changed("\"flute_length\"", "\"flutes\""), "unknown_key",
-            "p.facetmill: tools[0].flutes");
+        row("unknown tool key", changed("\"flute_length\"", "\"edges\""), "unknown_key",
+            "p.facetmill: tools[0].edges");
         row("unknown holder key", changed("\"length\": 3", "\"length\": 3, \"x\": 1"), "unknown_key",
             "p.facetmill: tools[0].holder[0].x");
         row("unknown operation key", changed("\"tolerance\"", "\"tolerence\""), "unknown_key",

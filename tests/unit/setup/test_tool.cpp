@@ -114,7 +114,7 @@ private slots:
         QVERIFY((keys
                  == std::set<std::string>{"number", "name", "diameter", "corner_radius", "bottom_angle",
                                           "taper_angle", "flute_length", "shank_diameter", "shank_length",
-                                          "holder"}));
+                                          "holder", "flutes", "cutting"}));
         view.set("diameter", 8.0);
         QCOMPARE(t.diameter, 8.0);
     }

@@ -31,13 +31,13 @@ LibraryTool made(CutterShape shape, long number, double diameter, LengthUnit uni
     t.tool.number = number;
     t.tool.shank_diameter = 2 * CutterProfile(t.tool.cutter()).max_radius();
     t.tool.shank_length = 17.5;
-    t.flutes = 3;
+    t.tool.flutes = 3;
     t.material = "carbide";
     t.vendor = "Nobody & Sons";
     t.product_id = "X-" + std::to_string(number);
     t.comment = "sharp";
     t.overall_length = t.tool.flute_length + t.tool.shank_length + 20;
-    t.cutting = {{"Roughing", "Wood", 12000, 1800, 600, 0.05, 0.4 * diameter, 2}};
+    t.tool.cutting = {{"Roughing", "Wood", 12000, 1800, 600, 0.05, 0.4 * diameter, 2}};
     put_into_holder(t, {"Collet", "Nobody", "C-1", {{10, 20, 30}, {25, 30, 30}, {12, 40, 28}}});
     return t;
 }
@@ -102,11 +102,11 @@ void comes_back_whole(LibraryFormat format, const char* file, LengthUnit unit) {
         const LibraryTool &a = library.tools[i], &b = read.library.tools[i];
         QVERIFY2(same_tool(a.tool, b.tool), a.tool.name.c_str());
         QVERIFY2(same_holder(a.holder, b.holder), a.tool.name.c_str());
-        QVERIFY(a.flutes == b.flutes && a.material == b.material && a.vendor == b.vendor
+        QVERIFY(a.tool.flutes == b.tool.flutes && a.material == b.material && a.vendor == b.vendor
                 && a.product_id == b.product_id && a.comment == b.comment);
         QVERIFY(near(a.overall_length, b.overall_length));
-        QCOMPARE(a.cutting.size(), b.cutting.size());
-        QVERIFY(same_cutting(a.cutting[0], b.cutting[0]));
+        QCOMPARE(a.tool.cutting.size(), b.tool.cutting.size());
+        QVERIFY(same_cutting(a.tool.cutting[0], b.tool.cutting[0]));
     }
     QCOMPARE(read.library.holders.size(), std::size_t(1));
     QVERIFY(same_holder(read.library.holders[0], library.holders[0]));
@@ -242,7 +242,7 @@ private slots:
         const Tool& ball = read.library.tools[0].tool;
         QVERIFY(near(ball.diameter, 6.35) && near(ball.corner_radius, 3.175) && ball.number == 7);
         QVERIFY(near(ball.shank_diameter, 9.525) && near(ball.shank_length, 0.75 * 25.4));
-        QVERIFY(near(read.library.tools[0].cutting[0].feed, 1016));
+        QVERIFY(near(read.library.tools[0].tool.cutting[0].feed, 1016));
         const Tool& drill = read.library.tools[1].tool;
         QVERIFY(near(drill.bottom_angle, radians(31)) && near(drill.flute_length, 40));
         for (const char* said : {"geometry.odd", "break-control", "diameter-offset", "tool-coolant", "neck",
@@ -261,9 +261,22 @@ private slots:
         const LibraryTool& t = read.library.tools[0];
         QVERIFY(near(t.tool.diameter, 0.5) && near(t.tool.taper_angle, radians(30)));
         QVERIFY(near(2 * CutterProfile(t.tool.cutter()).max_radius(), 12.7));
-        QVERIFY(near(t.tool.shank_diameter, 6.35) && near(t.cutting[0].chip_load, 0.02) && t.flutes == 2);
+        QVERIFY(near(t.tool.shank_diameter, 6.35) && near(t.tool.cutting[0].chip_load, 0.02)
+                && t.tool.flutes == 2);
         QCOMPARE(error_of(R"({"shape": "endmill", "parameter": {"Diameter": "wide"}})", "v.fctb"),
                  std::string("empty_result"));
+    }
+
+    void what_nobody_can_run_by_is_left_out_and_the_tool_kept() {
+        const ReadLibrary read = read_library(R"({"data": [{"type": "flat end mill", "unit": "millimeters",
+            "description": "F6", "geometry": {"DC": 6, "LCF": 20, "NOF": 5000},
+            "start-values": {"presets": [{"name": "P", "n": 8000, "v_f": 400}, {"name": "Q", "n": 8e9}]}}]})",
+                                              "shop.json", LengthUnit::mm);
+        QCOMPARE(read.library.tools.size(), std::size_t(1));
+        const Tool& tool = read.library.tools[0].tool;
+        QCOMPARE(tool.flutes, 0L);
+        QCOMPARE(tool.cutting.size(), std::size_t(1));
+        QVERIFY(tells(read, "flutes") && tells(read, "'Q'"));
     }
 
     void tables_are_read_line_by_line() {
