@@ -75,6 +75,12 @@ QString Document::name() const {
     return name_;
 }
 
+bool Document::modified() const {
+    const bool planned = std::any_of(records_.begin(), records_.end(),
+                                     [](const auto& record) { return record.second.result != nullptr; });
+    return never_saved_ || !undo_.isClean() || (planned && project_.path.empty());
+}
+
 void Document::open(Project project, const QString& name, bool unsaved) {
     project_ = std::move(project);
     ids_.clear();
@@ -193,6 +199,14 @@ void Document::add_operations(const QString& what, std::size_t place,
         after.project.operations.insert(after.project.operations.begin() + at, std::move(operation));
         after.own().insert(after.own().begin() + at, next_id_++);
     }
+    push(what, std::move(after));
+}
+
+void Document::replace_operations(const QString& what, Project project) {
+    Snapshot after{std::move(project), ids_};
+    after.own().clear();
+    for (std::size_t i = 0; i < after.project.operations.size(); ++i)
+        after.own().push_back(next_id_++);
     push(what, std::move(after));
 }
 
@@ -321,6 +335,7 @@ void Document::take(const std::vector<OperationOutcome>& outcomes) {
         record.planning = false;
     }
     emit states_changed();
+    emit modified_changed();
 }
 
 void Document::show_program(std::shared_ptr<const OpenedProgram> program) {

@@ -42,11 +42,13 @@ public:
     LengthUnit unit() const { return project_.unit; }
     /// "concave.facetmill", or what an unsaved project is called.
     QString name() const;
-    bool modified() const { return never_saved_ || !undo_.isClean(); }
+    /// There is something to lose: changes, or what was planned of a project that is nowhere on disk. A mesh
+    /// that was only opened is not.
+    bool modified() const;
     QUndoStack& undo_stack() { return undo_; }
 
     /// Takes another project; the history and all results are gone. `name` is shown while the project has no
-    /// path; `unsaved` makes it modified from the start (a project that exists nowhere on disk yet).
+    /// path; `unsaved` makes it modified from the start (work that was lost and found again).
     void open(Project project, const QString& name, bool unsaved);
     void clear();
     /// After the project was written as it is now, but with this path and these files.
@@ -70,6 +72,8 @@ public:
     /// As one step, with tools that they need.
     void add_operations(const QString& what, std::size_t place,
                         std::vector<std::unique_ptr<Operation>> operations, const std::vector<Tool>& tools);
+    /// As one step: the project with other operations in its shown setup, under new ids.
+    void replace_operations(const QString& what, Project project);
     void remove_operation(std::size_t i);
 
     /// Changes the list of setups, with the ids of their operations, and chooses one of them: see

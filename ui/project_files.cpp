@@ -281,7 +281,7 @@ void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit,
     Project project = turned ? default_turned_project(path, unit, loaded.part->box)
                              : default_project(path, unit, loaded.part->box);
     loaded.key = Document::part_key(project);
-    document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, true);
+    document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));
     messages_.information(
         tr("Read %1: %2 facets.").arg(path_text(path.filename()), count_text(loaded.part->report.facets)),

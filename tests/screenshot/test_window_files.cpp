@@ -88,22 +88,15 @@ private slots:
         QCOMPARE(w().document().unit(), LengthUnit::inch);
         const double width_inch = w().document().part()->box.size().x();
         // Asked not to ask again, it does not; and the size is 25.4 times that in millimetres.
-        w().document().undo_stack().setClean();
-        bool asked = false;
-        answer_next(QMessageBox::Discard, asked);
-        w().open_file(path);
+        w().open_file(path); // nothing is lost with what was only opened
         QVERIFY(wait_until_settled(w()));
-        QVERIFY(asked); // an unsaved project was there
         QVERIFY(!w().findChild<ui::PartDialog*>());
         QCOMPARE(w().document().part()->box.size().x(), width_inch);
-        answer_next(QMessageBox::Discard, asked);
         w().open_file(path, LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(std::abs(w().document().part()->box.size().x() * 25.4 - width_inch) < 1e-6 * width_inch);
         // A scan in metres becomes a project in millimetres.
         const QString scan = write_mesh(scratch_folder(QStringLiteral("scan")));
-        w().document().undo_stack().setClean();
-        answer_next(QMessageBox::Discard, asked);
         w().open_file(scan);
         QVERIFY(wait_until_settled(w()));
         dialog = w().findChild<ui::PartDialog*>();
@@ -361,15 +354,30 @@ private slots:
 
     void closing_asks_for_unsaved_changes() {
         QVERIFY(open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.03"));
         bool asked = false;
         answer_next(QMessageBox::Cancel, asked);
         w().close();
         QVERIFY(asked);
         QVERIFY(w().isVisible());
+        // What was planned of a part that is nowhere saved, too, without any change.
+        w().document().undo_stack().undo();
+        QVERIFY(!w().document().modified());
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().modified());
         asked = false;
         answer_next(QMessageBox::Discard, asked);
         w().close();
         QVERIFY(asked);
+        QVERIFY(!w().isVisible());
+    }
+
+    void what_was_only_opened_is_not_asked_about() {
+        QVERIFY(open_part());
+        QVERIFY(!w().document().modified());
+        w().close();
         QVERIFY(!w().isVisible());
     }
 };
