@@ -7,16 +7,26 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace facetmill::ui::settings {
 
 namespace {
 
 constexpr int max_recent_files = 10;
 constexpr int max_remembered_units = 200;
+constexpr int usual_autosave = 30;
+constexpr const char* trackball = "trackball";
 
 /// Paths hold characters that separate groups in setting keys.
 QString key_of(const QString& path) {
     return QString::fromLatin1(QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex());
+}
+
+std::optional<LengthUnit> unit_of(const QString& name) {
+    for (const LengthUnit unit : mesh_units)
+        if (name == text(unit_name(unit))) return unit;
+    return std::nullopt;
 }
 
 } // namespace
@@ -43,10 +53,7 @@ void remove_recent_file(const QString& path) {
 std::optional<LengthUnit> remembered_unit(const QString& path) {
     QSettings s;
     s.beginGroup(QStringLiteral("units"));
-    const QString name = s.value(key_of(path)).toString();
-    for (const LengthUnit unit : mesh_units)
-        if (name == text(unit_name(unit))) return unit;
-    return std::nullopt;
+    return unit_of(s.value(key_of(path)).toString());
 }
 
 void remember_unit(const QString& path, LengthUnit unit) {
@@ -55,6 +62,60 @@ void remember_unit(const QString& path, LengthUnit unit) {
     if (s.childKeys().size() >= max_remembered_units) s.remove(QString());
     const std::string_view name = unit_name(unit);
     s.setValue(key_of(path), QString::fromLatin1(name.data(), qsizetype(name.size())));
+}
+
+UsualProject usual_project() {
+    QSettings s;
+    s.beginGroup(QStringLiteral("new_project"));
+    UsualProject usual{utf8(s.value(QStringLiteral("machine")).toString()),
+                       utf8(s.value(QStringLiteral("post")).toString()),
+                       unit_of(s.value(QStringLiteral("unit")).toString())};
+    return usual;
+}
+
+void set_usual_project(const UsualProject& usual) {
+    QSettings s;
+    s.beginGroup(QStringLiteral("new_project"));
+    s.setValue(QStringLiteral("machine"), text(usual.machine));
+    s.setValue(QStringLiteral("post"), text(usual.post));
+    s.setValue(QStringLiteral("unit"), usual.unit ? text(unit_name(*usual.unit)) : QString());
+}
+
+Navigation navigation() {
+    QSettings s;
+    s.beginGroup(QStringLiteral("navigation"));
+    Navigation n;
+    const QString style = s.value(QStringLiteral("style")).toString();
+    for (std::size_t i = 0; i < navigation_styles.size(); ++i)
+        if (style == QLatin1String(navigation_styles[i])) n.style = NavigationStyle(i);
+    if (s.value(QStringLiteral("orbit")).toString() == QLatin1String(trackball)) n.orbit = Orbit::trackball;
+    return n;
+}
+
+void set_navigation(const Navigation& navigation) {
+    QSettings s;
+    s.beginGroup(QStringLiteral("navigation"));
+    s.setValue(QStringLiteral("style"), QLatin1String(navigation_styles[std::size_t(navigation.style)]));
+    s.setValue(QStringLiteral("orbit"),
+               navigation.orbit == Orbit::trackball ? QLatin1String(trackball) : QLatin1String("turntable"));
+}
+
+std::chrono::seconds autosave_interval() {
+    const std::chrono::seconds kept{
+        QSettings().value(QStringLiteral("autosave_seconds"), usual_autosave).toInt()};
+    return std::clamp(kept, shortest_autosave, longest_autosave);
+}
+
+void set_autosave_interval(std::chrono::seconds interval) {
+    QSettings().setValue(QStringLiteral("autosave_seconds"), int(interval.count()));
+}
+
+int threads() {
+    return std::clamp(QSettings().value(QStringLiteral("threads"), 0).toInt(), 0, most_threads);
+}
+
+void set_threads(int threads) {
+    QSettings().setValue(QStringLiteral("threads"), threads);
 }
 
 Theme theme() {

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "ui/navigation.h"
 #include "ui/theme.h"
 
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
 
+#include <chrono>
 #include <optional>
+#include <string>
 
 namespace facetmill::ui::settings {
 
@@ -20,6 +23,28 @@ void remove_recent_file(const QString& path);
 /// The unit a mesh file is read in without asking, where the user said so.
 std::optional<LengthUnit> remembered_unit(const QString& path);
 void remember_unit(const QString& path, LengthUnit unit);
+
+/// What new projects begin with. Empty names: what the program takes by itself; no unit: it asks.
+struct UsualProject {
+    std::string machine, post; ///< names, as projects have them
+    std::optional<LengthUnit> unit;
+    bool operator==(const UsualProject&) const = default;
+};
+UsualProject usual_project();
+void set_usual_project(const UsualProject& usual);
+
+Navigation navigation();
+void set_navigation(const Navigation& navigation);
+
+/// Between the times at which unsaved work is kept; 30 s at first.
+std::chrono::seconds autosave_interval();
+void set_autosave_interval(std::chrono::seconds interval);
+inline constexpr std::chrono::seconds shortest_autosave{5}, longest_autosave{3600};
+
+/// That planning and verifying use; 0: as many as the machine has.
+int threads();
+void set_threads(int threads);
+inline constexpr int most_threads = 1024;
 
 Theme theme();
 void set_theme(Theme theme);

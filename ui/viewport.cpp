@@ -64,7 +64,7 @@ Viewport::Viewport(QWidget* parent) : SceneCanvas(parent) {
 Viewport::~Viewport() = default;
 
 SceneCanvas::Hand Viewport::hand() const {
-    if (!drag_) return Hand::free;
+    if (!drag_ || drag_.kind() == Drag::hold) return Hand::free;
     if (drag_.kind() == Drag::tool) return Hand::paints;
     if (drag_.kind() == Drag::gizmo) return Hand::drags_view; // the part moves in it, coarse
     return drag_.kind() == Drag::handle || drag_.kind() == Drag::fixture ? Hand::drags_in_view
@@ -120,12 +120,9 @@ void Viewport::turn(const QPointF& by) {
     vtkCamera* camera = scene().camera().vtk();
     const double side = std::max(1, std::min(width(), height()));
     const Vec3 forward = vec(camera->GetDirectionOfProjection());
-    Vec3 upward = vec(camera->GetViewUp());
-    const Vec3 right = forward.cross(upward).normalized();
-    upward = right.cross(forward).normalized();
-    const Eigen::AngleAxisd about_up(-by.x() / side * turn_per_side, upward);
-    const Eigen::AngleAxisd about_right(-by.y() / side * turn_per_side, right);
-    const Mat3 rotation = (about_up * about_right).toRotationMatrix();
+    const Vec3 upward = forward.cross(vec(camera->GetViewUp())).cross(forward).normalized();
+    const Mat3 rotation = orbit_turn(navigation_.orbit, {forward, upward}, -by.x() / side * turn_per_side,
+                                     -by.y() / side * turn_per_side);
     const Vec3 position = pivot_ + rotation * (vec(camera->GetPosition()) - pivot_);
     const Vec3 focus = pivot_ + rotation * (vec(camera->GetFocalPoint()) - pivot_);
     const Vec3 new_up = (rotation * upward).normalized();
@@ -155,6 +152,15 @@ void Viewport::camera_moved() {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
+    // A further button may change what a drag does.
+    if (drag_.kind() == Drag::move || drag_.kind() == Drag::turn) {
+        const Drag now = drag_of(*event);
+        if (navigation_.style == NavigationStyle::freecad && now != drag_.kind() && now != Drag::hold) {
+            drag_.begin(now, event->position());
+            choose_pivot(drag_.press());
+        }
+        return;
+    }
     if (drag_) return;
     rest_.stop();
     if (tool_ && event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier)
@@ -164,36 +170,47 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         && gizmo_->press(event->position(), event->modifiers()))
         return drag_.begin(Drag::gizmo, event->position());
     drag_.begin(drag_of(*event), event->position());
-    if (drag_.kind() != Drag::turn) return;
-    if (const auto handle = handle_at(drag_.press())) {
-        drag_.begin(Drag::handle, drag_.press());
-        handle_from_ = handle_to_ = *handle;
-        return;
-    }
-    if (const auto held = fixture_at(drag_.press()); held && scene().fixtures().chosen() == held->index) {
-        drag_.begin(Drag::fixture, drag_.press());
-        held_ = *held;
-        held_by_ = Vec3::Zero();
-        return;
-    }
-    // What is under the pointer stays there; off the part it turns about the middle of what is shown.
-    const Box3 bounds = scene().bounds();
-    pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
-    const QPointF at = device(drag_.press());
-    if (const auto pick = scene().part().pick(at.x(), at.y())) pivot_ = pick->point;
+    const bool takes =
+        event->button() == Qt::LeftButton && (drag_.kind() == Drag::turn || drag_.kind() == Drag::hold);
+    if (!(takes && take_hold(drag_.press())) && drag_.kind() == Drag::turn) choose_pivot(drag_.press());
 }
 
-Viewport::Drag Viewport::drag_of(const QMouseEvent& press) {
-    switch (press.button()) {
-    case Qt::LeftButton:
-        return press.modifiers() & Qt::ShiftModifier ? Drag::move : Drag::turn;
-    case Qt::MiddleButton:
-        return Drag::move;
-    case Qt::RightButton:
-        return Drag::zoom;
-    default:
-        return Drag::none;
+bool Viewport::take_hold(const QPointF& at) {
+    if (const auto handle = handle_at(at)) {
+        drag_.begin(Drag::handle, at);
+        handle_from_ = handle_to_ = *handle;
+        return true;
     }
+    if (const auto held = fixture_at(at); held && scene().fixtures().chosen() == held->index) {
+        drag_.begin(Drag::fixture, at);
+        held_ = *held;
+        held_by_ = Vec3::Zero();
+        return true;
+    }
+    return false;
+}
+
+/// What is under the pointer stays there; off the part it turns about the middle of what is shown.
+void Viewport::choose_pivot(const QPointF& at) {
+    const Box3 bounds = scene().bounds();
+    pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
+    const QPointF p = device(at);
+    if (const auto pick = scene().part().pick(p.x(), p.y())) pivot_ = pick->point;
+}
+
+Viewport::Drag Viewport::drag_of(const QMouseEvent& press) const {
+    if (!(press.button() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))) return Drag::none;
+    switch (gesture_of(navigation_.style, press.button(), press.buttons(), press.modifiers())) {
+    case Gesture::turn:
+        return Drag::turn;
+    case Gesture::move:
+        return Drag::move;
+    case Gesture::zoom:
+        return Drag::zoom;
+    case Gesture::hold:
+        return Drag::hold;
+    }
+    return Drag::none;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -232,6 +249,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         break;
     case Drag::tool:
     case Drag::gizmo:
+    case Drag::hold:
     case Drag::none:
         break;
     }
@@ -269,16 +287,21 @@ Vec3 Viewport::fixture_travel(const QPointF& to, bool upright) const {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    // One of two buttons was let go: the other one goes on.
+    if (navigation_.style == NavigationStyle::freecad && drag_.kind() == Drag::turn
+        && event->buttons() & Qt::MiddleButton)
+        return drag_.begin(Drag::move, event->position());
     const Drag was = drag_.end();
     if (was == Drag::tool) return tool_->release(event->position(), event->modifiers());
     if (was == Drag::gizmo) return gizmo_->release(event->position(), event->modifiers());
     if (was == Drag::handle && drag_.moved()) emit handle_dropped(handle_from_, handle_to_);
     if (was == Drag::fixture && drag_.moved()) emit fixture_dropped(held_.index, held_by_);
     if (drag_.moved() || was == Drag::none) return;
-    if ((was == Drag::turn || was == Drag::handle || was == Drag::fixture)
+    if ((was == Drag::turn || was == Drag::hold || was == Drag::handle || was == Drag::fixture)
         && event->button() == Qt::LeftButton)
         click(event->position(), event->modifiers());
-    if (was == Drag::zoom) emit menu_requested(event->globalPosition().toPoint());
+    if ((was == Drag::zoom || was == Drag::hold) && event->button() == Qt::RightButton)
+        emit menu_requested(event->globalPosition().toPoint());
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -1,8 +1,9 @@
-// The 3D view of a Scene, with the mouse: left turns, or moves the boundary point under it where the scene
-// shows handles, or the chosen fixture; middle or Shift+left moves, right or the wheel zooms about the
-// pointer, a click picks, a double click fits.
+// The 3D view of a Scene, with the mouse: buttons turn, move and zoom as the style of navigation says, the
+// wheel zooms about the pointer; left moves the boundary point under it where the scene shows handles, or the
+// chosen fixture; a click picks, a double click fits.
 #pragma once
 
+#include "ui/navigation.h"
 #include "ui/pointer.h"
 #include "ui/scene_canvas.h"
 #include "ui/view_tool.h"
@@ -32,6 +33,7 @@ public:
     Vec3 sight() const;
     Vec3 up() const;
     ViewCube* view_cube() { return cube_; }
+    void set_navigation(const Navigation& navigation) { navigation_ = navigation; }
     /// While a point is picked every click asks the part alone, by point_picked; the pointer is a cross.
     void set_picking(bool on);
     /// The left button is the tool's, which lives until another one is set; null: it turns the view again.
@@ -74,8 +76,12 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Drag { none, turn, move, zoom, handle, fixture, tool, gizmo };
-    static Drag drag_of(const QMouseEvent& press);
+    /// hold: a press that does nothing but click.
+    enum class Drag { none, hold, turn, move, zoom, handle, fixture, tool, gizmo };
+    Drag drag_of(const QMouseEvent& press) const;
+    /// Begins with what a press of the left button takes hold of; false: nothing is there.
+    bool take_hold(const QPointF& at);
+    void choose_pivot(const QPointF& at);
     void place_overlays();
     void turn(const QPointF& by);
     void move(const QPointF& by);
@@ -88,6 +94,7 @@ private:
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     ViewCube* cube_ = nullptr;
+    Navigation navigation_;
     PointerDrag<Drag> drag_{click_slack};
     PointerRest rest_{[this](const QPointF& at) { hover(at); }};
     bool picking_ = false;

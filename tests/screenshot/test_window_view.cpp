@@ -20,6 +20,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <random>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -115,6 +116,93 @@ private slots:
         QVERIFY(angle_between(view.sight(), iso) < 1e-6);
     }
 
+    /// The buttons of every style, and what a turntable keeps upright.
+    void navigation_styles() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        const QPoint middle = view.rect().center();
+        const auto drag = [&](Qt::MouseButton button, Qt::KeyboardModifiers keys) {
+            view.set_view(StandardView::iso);
+            const Vec3 sight = view.sight();
+            const Vec2 at = view.scene().camera().display_of(w().document().part()->box.center());
+            const auto diagonal = [&] {
+                const Box3 box = w().document().part()->box;
+                return (view.scene().camera().display_of(box.hi) - view.scene().camera().display_of(box.lo))
+                    .norm();
+            };
+            const double wide = diagonal();
+            QTest::mousePress(&view, button, keys, middle);
+            for (int i = 1; i <= 4; ++i) {
+                const QPoint to = middle + QPoint(40, 10) * i / 4;
+                QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, keys);
+                QApplication::sendEvent(&view, &event);
+            }
+            QTest::mouseRelease(&view, button, keys, middle + QPoint(40, 10));
+            if (angle_between(view.sight(), sight) > 0.01) return QStringLiteral("turn");
+            if (std::abs(diagonal() - wide) > 1e-6 * wide) return QStringLiteral("zoom");
+            const Vec2 now = view.scene().camera().display_of(w().document().part()->box.center());
+            return (now - at).norm() > 20 ? QStringLiteral("move") : QStringLiteral("nothing");
+        };
+        struct Style {
+            ui::NavigationStyle style;
+            const char *left, *middle, *shift_middle, *control_middle, *shift_right;
+        };
+        using S = ui::NavigationStyle;
+        for (const Style& s : {Style{S::facetmill, "turn", "move", "move", "move", "zoom"},
+                               Style{S::fusion, "nothing", "move", "turn", "zoom", "nothing"},
+                               Style{S::freecad, "nothing", "move", "move", "move", "turn"},
+                               Style{S::blender, "nothing", "turn", "move", "zoom", "nothing"},
+                               Style{S::solidworks, "nothing", "turn", "zoom", "move", "nothing"}}) {
+            for (const ui::Orbit orbit : {ui::Orbit::turntable, ui::Orbit::trackball}) {
+                view.set_navigation({s.style, orbit});
+                QCOMPARE(drag(Qt::LeftButton, {}), QLatin1String(s.left));
+                QCOMPARE(drag(Qt::MiddleButton, {}), QLatin1String(s.middle));
+                QCOMPARE(drag(Qt::MiddleButton, Qt::ShiftModifier), QLatin1String(s.shift_middle));
+                QCOMPARE(drag(Qt::MiddleButton, Qt::ControlModifier), QLatin1String(s.control_middle));
+                QCOMPARE(drag(Qt::RightButton, Qt::ShiftModifier), QLatin1String(s.shift_right));
+            }
+            // A click picks in every style.
+            view.set_view(StandardView::top);
+            QSignalSpy picked(&view, &ui::Viewport::part_picked);
+            QTest::mouseClick(&view, Qt::LeftButton, {}, middle);
+            QCOMPARE(picked.count(), 1);
+        }
+        view.set_navigation({});
+    }
+
+    /// Whatever was dragged before: nothing rolls, the sight turns about Z by as much as is asked.
+    void a_turntable_stays_level() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> angle(-2, 2);
+        for (int i = 0; i < 500; ++i) {
+            Vec3 forward(angle(random), angle(random), angle(random));
+            forward.normalize();
+            const Vec3 up = forward.cross(Vec3(angle(random), angle(random), angle(random))).normalized();
+            const ui::Sight sight{forward, up};
+            const double across = angle(random), down = angle(random);
+            const Mat3 turn = ui::orbit_turn(ui::Orbit::turntable, sight, across, down);
+            QVERIFY((turn * turn.transpose() - Mat3::Identity()).norm() < 1e-9 && turn.determinant() > 0);
+            const Vec3 now = turn * forward, upward = turn * up;
+            QVERIFY(std::abs(now.cross(upward).z()) < 1e-9);
+            const Mat3 roll = ui::orbit_turn(ui::Orbit::trackball, sight, across, 0);
+            QVERIFY((roll * up - up).norm() < 1e-9);
+            QVERIFY(std::abs(angle_between(roll * forward, forward) - std::abs(across)) < 1e-9);
+            // Once it stands upright it looks no further than straight up or down.
+            const ui::Sight level{now, upward};
+            if (upward.z() < 0) continue; // it stood on its head
+            const Mat3 far = ui::orbit_turn(ui::Orbit::turntable, level, across, 2 * down);
+            QVERIFY((far * upward).z() > -1e-9);
+            const double from = std::asin(std::clamp(now.z(), -1.0, 1.0)),
+                         to = std::asin(std::clamp((far * now).z(), -1.0, 1.0));
+            QVERIFY(std::abs(to - std::clamp(from + 2 * down, -pi / 2, pi / 2)) < 1e-6);
+        }
+        // Off the poles and back.
+        const ui::Sight top{Vec3(0, 0, -1), Vec3(0, 1, 0)};
+        QVERIFY((ui::orbit_turn(ui::Orbit::turntable, top, 0, -1) - Mat3::Identity()).norm() < 1e-9);
+        QVERIFY(std::abs((ui::orbit_turn(ui::Orbit::turntable, top, 0, 1) * top.forward).z() + std::cos(1.0))
+                < 1e-9);
+    }
+
     void mouse_turns_moves_and_zooms() {
         QVERIFY(open_part());
         auto& view = w().viewport();
@@ -131,8 +219,12 @@ private slots:
         };
         const Vec3 anchor = w().document().part()->box.center();
         const Vec2 at = view.scene().camera().display_of(anchor);
-        drag(Qt::LeftButton, {}, QPoint(60, 30));
+        drag(Qt::LeftButton, {}, QPoint(60, 30)); // no further than straight down
+        QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) < 1e-6);
+        QVERIFY(angle_between(view.up(), Vec3(0, 1, 0)) > 0.1);
+        drag(Qt::LeftButton, {}, QPoint(60, -30));
         QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) > 0.1);
+        QVERIFY(std::abs(view.sight().cross(view.up()).z()) < 1e-9); // the horizon is level
         view.set_view(StandardView::top);
         drag(Qt::MiddleButton, {}, QPoint(50, -20));
         Vec2 now = view.scene().camera().display_of(anchor);
