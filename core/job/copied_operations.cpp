@@ -133,7 +133,11 @@ bool may_be_operations(std::string_view text) {
 }
 
 PastedOperations pasted_operations(std::string_view text, const Project& project) {
-    return Pasting(parse_project(text, "clipboard"), project).run();
+    return pasted_operations(parse_project(text, "clipboard"), project);
+}
+
+PastedOperations pasted_operations(const Project& from, const Project& project) {
+    return Pasting(from, project).run();
 }
 
 } // namespace facetmill

@@ -26,5 +26,7 @@ struct PastedOperations {
 /// is that one; boundaries are taken by their names where the setup has them; postures and regions that were
 /// kept for places of another part are left behind. Throws what parse_project does, its place "clipboard".
 PastedOperations pasted_operations(std::string_view text, const Project& project);
+/// The same for the operations of another project's shown setup.
+PastedOperations pasted_operations(const Project& from, const Project& project);
 
 } // namespace facetmill

@@ -1,0 +1,177 @@
+#include "core/job/job_template.h"
+
+#include "core/base/text.h"
+#include "core/job/asked_operations.h"
+#include "core/job/copied_operations.h"
+#include "core/job/setting_remarks.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+/// No part has this name: nothing of a template belongs to places of one.
+constexpr const char* no_part = "template";
+
+/// A place in space, that of the part it was made for.
+bool is_place(const ParameterInfo& info) {
+    return info.kind == ParameterKind::triple && info.quantity == Quantity::length;
+}
+
+void leave_places(Operation& operation) {
+    for (const ParameterInfo* info : operation.parameters()) {
+        if (info->kind == ParameterKind::records) operation.set(info->key, info->empty_list());
+        if (is_place(*info)) operation.set(info->key, info->default_value);
+    }
+    // A turning axis by points is one of that part.
+    if (operation.turning() && operation.get("axis") == ParameterValue(std::string("points")))
+        operation.set("axis", operation.parameter("axis").default_value);
+}
+
+/// A stock that other parts can have; of a mesh, and of what a setup before left, only that it was one.
+StockSpec general_stock(const StockSpec& stock) {
+    StockSpec general = stock;
+    if (stock.kind == StockSpec::Kind::mesh || stock.kind == StockSpec::Kind::rest) general = StockSpec();
+    general.diameter = StockSpec().diameter;
+    return general;
+}
+
+/// Those that any part has.
+bool serves_others(const Boundary& b) {
+    return b.kind == Boundary::Kind::slope || b.kind == Boundary::Kind::silhouette;
+}
+
+/// Operations may name it, and it is none: facets of no part.
+Boundary placeholder(const std::string& name) {
+    Boundary b;
+    b.name = name;
+    return b;
+}
+
+std::string counted(std::size_t n, const char* one, const char* several) {
+    return std::to_string(n) + " " + (n == 1 ? one : several);
+}
+
+std::vector<long> used_tools(const Project& project) {
+    std::vector<long> used;
+    for (const Operation* o : all_operations(project))
+        for (const long number : tools_of(*o))
+            used.push_back(number);
+    for (std::size_t i = 0; i < setup_count(project); ++i)
+        for (const Boundary& b : setup_at(project, i).boundaries)
+            used.push_back(b.tool);
+    return used;
+}
+
+class Applying {
+public:
+    Applying(const Project& kept, const Project& project) : kept_(kept) { applied_.project = project; }
+
+    AppliedTemplate run() {
+        remove_operations();
+        take_settings();
+        take_boundaries();
+        take_operations();
+        for (std::size_t i = 0; i < applied_.project.operations.size(); ++i)
+            for (const SettingRemark& r : setting_remarks(applied_.project, i))
+                say(i, r);
+        return std::move(applied_);
+    }
+
+private:
+    /// And the tools that nothing else uses: those of the template may have their numbers then.
+    void remove_operations() {
+        Project& p = applied_.project;
+        std::vector<long> freed;
+        for (const auto& o : p.operations)
+            for (const long number : tools_of(*o))
+                freed.push_back(number);
+        p.operations.clear();
+        const std::vector<long> used = used_tools(p);
+        const auto holds = [](const std::vector<long>& list, long number) {
+            return std::find(list.begin(), list.end(), number) != list.end();
+        };
+        std::erase_if(p.tools,
+                      [&](const Tool& t) { return holds(freed, t.number) && !holds(used, t.number); });
+    }
+
+    void take_settings() {
+        Project& p = applied_.project;
+        p.machine = kept_.machine;
+        p.programs = kept_.programs;
+        p.limits = kept_.limits;
+        // What the setups before left is the stock, whatever a template says.
+        if (p.stock.kind == StockSpec::Kind::rest)
+            applied_.remarks.push_back("The stock stays what the setup before leaves.");
+        else
+            p.stock = kept_.stock;
+    }
+
+    void take_boundaries() {
+        auto& there = applied_.project.boundaries;
+        for (const Boundary& b : kept_.boundaries)
+            if (serves_others(b) && std::none_of(there.begin(), there.end(), [&](const Boundary& t) {
+                    return t.name == b.name;
+                }))
+                there.push_back(b);
+    }
+
+    void take_operations() {
+        Project& p = applied_.project;
+        PastedOperations pasted = pasted_operations(kept_, p);
+        p.tools.insert(p.tools.end(), pasted.tools.begin(), pasted.tools.end());
+        p.operations = std::move(pasted.operations);
+        for (const std::string& remark : pasted.remarks)
+            applied_.remarks.push_back(remark + ".");
+    }
+
+    void say(std::size_t operation, const SettingRemark& r) {
+        const Operation& o = *applied_.project.operations[operation];
+        const std::string label = r.key.empty() ? std::string() : ", " + o.parameter(r.key).label;
+        const bool ends = r.message.ends_with('.');
+        applied_.remarks.push_back("'" + printable(o.common().name) + "'" + label + ": " + r.message
+                                   + (ends ? "" : "."));
+    }
+
+    const Project& kept_;
+    AppliedTemplate applied_;
+};
+
+} // namespace
+
+std::string template_text(const Project& project) {
+    Project kept;
+    kept.unit = project.unit;
+    kept.part.file = no_part;
+    kept.part.unit = project.unit;
+    kept.limits = project.limits;
+    kept.stock = general_stock(project.stock);
+    kept.programs = project.programs;
+    kept.machine = is_machine_file(project.machine) ? project.machine_path().string() : project.machine;
+    if (is_post_file(project.programs.post)) kept.programs.post = project.post_path().string();
+    std::vector<long> used;
+    for (const auto& o : project.operations) {
+        kept.operations.push_back(o->clone());
+        leave_places(*kept.operations.back());
+        for (const long number : tools_of(*o))
+            used.push_back(number);
+    }
+    for (const Tool& t : project.tools)
+        if (std::find(used.begin(), used.end(), t.number) != used.end()) kept.tools.push_back(t);
+    for (const Boundary& b : project.boundaries)
+        kept.boundaries.push_back(serves_others(b) ? b : placeholder(b.name));
+    return project_to_json(kept);
+}
+
+AppliedTemplate apply_template(std::string_view text, const std::string& name, const Project& project) {
+    return Applying(parse_project(text, name), project).run();
+}
+
+std::string template_summary(std::string_view text, const std::string& name) {
+    const Project kept = parse_project(text, name);
+    return counted(kept.operations.size(), "operation", "operations") + ", "
+           + counted(kept.tools.size(), "tool", "tools");
+}
+
+} // namespace facetmill

@@ -1,0 +1,47 @@
+// Templates of jobs: what of a setup serves other parts, kept in the user's own folder, and applied to the
+// project that is shown.
+#pragma once
+
+#include "ui/document.h"
+
+#include <QObject>
+
+#include <filesystem>
+
+class QMenu;
+class QWidget;
+
+namespace facetmill::ui {
+
+class Messages;
+
+/// Where a user's templates lie.
+std::filesystem::path user_template_folder();
+
+class Templates : public QObject {
+    Q_OBJECT
+public:
+    Templates(Document& document, Messages& messages, std::filesystem::path folder, QWidget* window);
+
+    /// Lists the templates there are whenever it opens.
+    QMenu* menu() { return menu_; }
+    /// Asks for a name, and before it writes over a template.
+    void save_with_dialog();
+    /// Keeps the shown setup under a name that a file may have. Throws Error(unwritable, out_of_range).
+    void save(const QString& name);
+    /// As one step of the history; what does not fit is told.
+    void apply(const std::filesystem::path& file);
+
+private:
+    void list();
+    void apply_with_dialog();
+    std::filesystem::path file_of(const QString& name) const;
+
+    Document& document_;
+    Messages& messages_;
+    std::filesystem::path folder_;
+    QWidget* window_;
+    QMenu* menu_ = nullptr;
+};
+
+} // namespace facetmill::ui
