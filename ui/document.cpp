@@ -231,47 +231,6 @@ long Document::free_tool_number() const {
     return facetmill::free_tool_number(project_.tools);
 }
 
-void Document::add_tool(const Tool& tool) {
-    change(tr("Add tool"), [&](Project& p) { p.tools.push_back(tool); });
-}
-
-void Document::set_tool(std::size_t i, const Tool& tool) {
-    change(tr("Edit tool"), [&](Project& p) {
-        const long old_number = p.tools.at(i).number;
-        p.tools[i] = tool;
-        for (Operation* o : all_operations(p)) // the operations stay with their tool when its number changes
-            o->renumber_tool(old_number, tool.number);
-        for (std::size_t k = 0; k < setup_count(p); ++k)
-            for (Boundary& b : setup_at(p, k).boundaries)
-                if (b.tool == old_number) b.tool = tool.number;
-    });
-}
-
-void Document::duplicate_tool(std::size_t i) {
-    Tool copy = project_.tools.at(i);
-    copy.number = free_tool_number();
-    change(tr("Duplicate tool"),
-           [&](Project& p) { p.tools.insert(p.tools.begin() + std::ptrdiff_t(i) + 1, copy); });
-}
-
-void Document::remove_tool(std::size_t i) {
-    const Tool& tool = project_.tools.at(i);
-    for (const Operation* o : all_operations(std::as_const(project_)))
-        if (const auto further = o->further_tools();
-            o->common().tool == tool.number
-            || std::find(further.begin(), further.end(), tool.number) != further.end())
-            throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
-                        "operation '" + o->common().name + "' uses this tool",
-                        "give the operation another tool first");
-    for (std::size_t k = 0; k < setup_count(project_); ++k)
-        for (const Boundary& b : setup_at(std::as_const(project_), k).boundaries)
-            if (b.kind == Boundary::Kind::rest && b.tool == tool.number)
-                throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
-                            "boundary '" + b.name + "' is what this tool leaves",
-                            "give the boundary another tool first");
-    change(tr("Remove tool"), [&](Project& p) { p.tools.erase(p.tools.begin() + std::ptrdiff_t(i)); });
-}
-
 void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::string& key) {
     part_ = std::move(part);
     part_key_ = key;

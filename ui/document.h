@@ -83,11 +83,6 @@ public:
     int new_id() { return next_id_++; }
 
     // tools
-    void add_tool(const Tool& tool);
-    void set_tool(std::size_t i, const Tool& tool);
-    void duplicate_tool(std::size_t i);
-    /// Throws Error(missing_reference) when an operation uses it.
-    void remove_tool(std::size_t i);
     long free_tool_number() const;
 
     // the part as read

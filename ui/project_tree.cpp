@@ -11,6 +11,7 @@
 #include "ui/setup_list.h"
 #include "ui/text.h"
 #include "ui/tool_library_dialog.h"
+#include "ui/tool_list.h"
 #include "ui/verification_model.h"
 
 #include <QAction>
@@ -54,7 +55,7 @@ QString operation_label(const std::string& kind) {
 /// One of a list that is no setup; false for anything else.
 bool duplicate_in_list(Document& document, const TreeNode& node) {
     if (node.kind == TreeNode::Kind::tool)
-        document.duplicate_tool(node.index);
+        duplicate_tool(document, node.index);
     else if (node.kind == TreeNode::Kind::fixture)
         duplicate_fixture(document, node.index);
     else if (node.kind == TreeNode::Kind::boundary)
@@ -69,7 +70,7 @@ bool duplicate_in_list(Document& document, const TreeNode& node) {
 /// Throws Error(missing_reference) where an operation needs it.
 void remove_from_list(Document& document, const TreeNode& node) {
     if (node.kind == TreeNode::Kind::tool)
-        document.remove_tool(node.index);
+        remove_tool(document, node.index);
     else if (node.kind == TreeNode::Kind::fixture)
         remove_fixture(document, node.index);
     else if (node.kind == TreeNode::Kind::boundary)

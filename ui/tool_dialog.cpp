@@ -6,6 +6,7 @@
 #include "ui/record_table.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/tool_list.h"
 #include "ui/tool_sketch.h"
 
 #include <QComboBox>
@@ -45,9 +46,9 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
     connect(&document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, dialog, [&document, dialog, index] {
         if (index && *index < document.project().tools.size())
-            document.set_tool(*index, dialog->tool());
+            set_tool(document, *index, dialog->tool());
         else
-            document.add_tool(dialog->tool());
+            add_tool(document, dialog->tool());
         emit dialog->taken(index ? *index : document.project().tools.size() - 1);
     });
     dialog->open();

@@ -9,6 +9,7 @@
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/tool_list.h"
 #include "ui/viewport.h"
 
 #include <QAbstractButton>
@@ -218,11 +219,11 @@ private slots:
         narrower.diameter = 30;
         narrower.corner_radius = 15;
         narrower.number = 9;
-        w().document().set_tool(1, narrower);
+        ui::set_tool(w().document(), 1, narrower);
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(boundary().tool, 9L);
         QCOMPARE(w().document().state(0), ui::OperationState::stale);
-        QCOMPARE(code_of([&] { w().document().remove_tool(1); }), std::string("missing_reference"));
+        QCOMPARE(code_of([&] { ui::remove_tool(w().document(), 1); }), std::string("missing_reference"));
         // The ball of 6 leaves nothing here: said where it is chosen.
         w().tree().select({TreeNode::Kind::boundary, 0});
         pick_in("tool", qobject_cast<QComboBox*>(row("tool"))->itemText(0));

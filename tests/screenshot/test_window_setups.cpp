@@ -8,6 +8,7 @@
 #include "ui/program_export.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/tool_list.h"
 #include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 
@@ -296,7 +297,7 @@ private slots:
         QCOMPARE(code_of_removal(), std::string("missing_reference"));
         Tool tool = project().tools[0];
         tool.number = 7;
-        w().document().set_tool(0, tool);
+        ui::set_tool(w().document(), 0, tool);
         QCOMPARE(setup_at(project(), 1).operations[0]->common().tool, 7L);
         QCOMPARE(w().document().free_operation_name("Below"), std::string("Below 2"));
     }
@@ -322,7 +323,7 @@ private slots:
 private:
     std::string code_of_removal() {
         try {
-            w().document().remove_tool(0);
+            ui::remove_tool(w().document(), 0);
         } catch (const Error& e) {
             return std::string(code_name(e.code()));
         }
