@@ -524,18 +524,18 @@ void PropertiesPanel::refresh() {
                    : tr("Add an operation below the tree. They run from top to bottom.");
     }
     show_head(title, hint, alarm);
-    show_boundary_box();
+    show_boxes();
     form_->setVisible(form);
     sketch_->setVisible(tool);
     edit_tool_->setVisible(tool);
     choose_mesh_->setVisible(mesh);
     edit_regions_->setVisible(regions);
-    const bool operation = node_ && node_->kind == Kind::operation && document_.has_part();
-    cutting_->set_operation(operation ? std::optional(node_->index) : std::nullopt);
     if (build && !form) form_->set_parameters({}, unit);
 }
 
-void PropertiesPanel::show_boundary_box() {
+void PropertiesPanel::show_boxes() {
+    const bool operation = node_ && node_->kind == TreeNode::Kind::operation && document_.has_part();
+    cutting_->set_operation(operation ? std::optional(node_->index) : std::nullopt);
     const auto& boundaries = document_.project().boundaries;
     const bool chosen = node_ && node_->kind == TreeNode::Kind::boundary && node_->index < boundaries.size();
     const auto kind = chosen ? boundaries[node_->index].kind : Boundary::Kind::silhouette;

@@ -55,7 +55,8 @@ private:
     void refresh();
     /// `alarm`: the hint says what is wrong.
     void show_head(const QString& title, const QString& hint, bool alarm);
-    void show_boundary_box();
+    /// Beside the form: how a boundary is painted, what feeds an operation's tool knows.
+    void show_boxes();
     void take(const std::string& key, const ParameterValue& value);
     QString shape() const;
 

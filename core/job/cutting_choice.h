@@ -12,7 +12,7 @@ namespace facetmill {
 /// Feed of cuts, mm/min: as it is said, else spindle times flutes times chip load; 0 where that is unsaid,
 /// too.
 double cutting_feed(const Tool& tool, const CuttingData& data);
-/// Of those that say spindle and feed the one for this material, else the first; null where none does.
+/// The data for this material, else the first, of those that say spindle and feed; null where none does.
 const CuttingData* cutting_for(const Tool& tool, const std::string& material = {});
 
 /// Spindle, feed and ramp feed of an operation, of roughing also depth and step-over, as far as they are

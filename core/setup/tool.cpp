@@ -14,7 +14,7 @@ using tolerance::largest_tool;
 constexpr double steepest_angle = tolerance::steepest_tool_angle;
 /// As operations may have them.
 constexpr double largest_spindle = 1e6, largest_feed = 1e6;
-constexpr double most_flutes = 1000;
+constexpr double max_flutes = 1000;
 
 /// The tool's key for a letter of the cutter.
 std::string key_of(const std::string& letter) {
@@ -91,6 +91,35 @@ const ParameterTable<CuttingData>& cutting_parameters() {
         return t;
     }();
     return table;
+}
+
+/// What stands above the cutter, and how it is run.
+static void add_lists(ParameterTable<Tool>& t) {
+    using K = ParameterKind;
+    using Q = Quantity;
+    constexpr Stage stage = Stage::cutter;
+    t.add_records(&Tool::holder, holder_list,
+                  {.label = "Holder",
+                   .help = "The cylinders that the holder is made of, from the shank upward.",
+                   .stage = stage,
+                   .nouns = {"section", "sections"},
+                   .written_empty = true});
+    t.add(&Tool::flutes, {.key = "flutes",
+                          .label = "Flutes",
+                          .help = "Cutting edges; 0 where nobody says. Feeds are worked out from a chip "
+                                  "load by it.",
+                          .kind = K::integer,
+                          .quantity = Q::count,
+                          .minimum = 0,
+                          .maximum = max_flutes,
+                          .stage = Stage::advice,
+                          .default_unwritten = true});
+    t.add_records(&Tool::cutting, cutting_list,
+                  {.label = "Feeds and speeds",
+                   .help = "How the tool is run, by material. Operations take it over when they take "
+                           "the tool.",
+                   .stage = Stage::advice,
+                   .nouns = {"material", "materials"}});
 }
 
 const ParameterTable<Tool>& tool_parameters() {
@@ -174,28 +203,7 @@ const ParameterTable<Tool>& tool_parameters() {
                                     .minimum = 0,
                                     .maximum = largest_tool,
                                     .stage = stage});
-        t.add_records(&Tool::holder, holder_list,
-                      {.label = "Holder",
-                       .help = "The cylinders that the holder is made of, from the shank upward.",
-                       .stage = stage,
-                       .nouns = {"section", "sections"},
-                       .written_empty = true});
-        t.add(&Tool::flutes, {.key = "flutes",
-                              .label = "Flutes",
-                              .help = "Cutting edges; 0 where nobody says. Feeds are worked out from a chip "
-                                      "load by it.",
-                              .kind = K::integer,
-                              .quantity = Q::count,
-                              .minimum = 0,
-                              .maximum = most_flutes,
-                              .stage = Stage::advice,
-                              .default_unwritten = true});
-        t.add_records(&Tool::cutting, cutting_list,
-                      {.label = "Feeds and speeds",
-                       .help = "How the tool is run, by material. Operations take it over when they take "
-                               "the tool.",
-                       .stage = Stage::advice,
-                       .nouns = {"material", "materials"}});
+        add_lists(t);
         return t;
     }();
     return table;
