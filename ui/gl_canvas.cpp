@@ -5,6 +5,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
 #include <QPainter>
+#include <QSurfaceFormat>
 
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,32 @@ void GlCanvas::paintEvent(QPaintEvent*) {
         painter.drawImage(QPoint(0, 0), picture_);
     else
         painter.drawImage(rect(), picture_); // until it is drawn in the new size
+}
+
+void GlCanvas::set_default_format() {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    format.setAlphaBufferSize(8);
+    format.setSamples(0);
+    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+QString GlCanvas::why_unavailable() {
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext context;
+    if (!context.create() || !context.makeCurrent(&surface)) return tr("the display offers no OpenGL");
+    const QSurfaceFormat got = context.format();
+    context.doneCurrent();
+    if (got.version() >= qMakePair(3, 2)) return {};
+    return tr("the display offers OpenGL %1.%2 only; 3.2 is needed")
+        .arg(got.majorVersion())
+        .arg(got.minorVersion());
 }
 
 } // namespace facetmill::ui

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <QImage>
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 
@@ -21,6 +22,11 @@ namespace facetmill::ui {
 
 class GlCanvas : public QWidget {
 public:
+    /// The surface format that VTK needs; set as the default before the application object is made.
+    static void set_default_format();
+    /// Why the display cannot show a canvas; empty when it can. Asked once before the first window.
+    static QString why_unavailable();
+
     explicit GlCanvas(QWidget* parent = nullptr);
     ~GlCanvas() override;
 

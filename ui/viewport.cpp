@@ -2,10 +2,7 @@
 
 #include "ui/view_cube.h"
 
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
 
 #include <vtkCamera.h>
 
@@ -23,33 +20,20 @@ Vec3 vec(const double* v) {
     return {v[0], v[1], v[2]};
 }
 
+/// How far a place that is held goes to stay on a line of sight: in its level plane, or upright. Where that
+/// plane is seen from the side it goes in the upright plane that faces the eye.
+Vec3 travel_of(const Vec3& held, const Vec3& sight, const Vec3& from, bool upright) {
+    constexpr double level_seen = 0.25; // a quarter of a circle's width
+    const bool level = !upright && std::abs(sight.z()) > level_seen;
+    const Vec3 facing(sight.x(), sight.y(), 0);
+    const Vec3 n = level ? Vec3(Vec3::UnitZ()) : facing;
+    const double along = sight.dot(n);
+    if (!(std::abs(along) > 1e-6)) return Vec3::Zero(); // straight from above nothing can be raised
+    const Vec3 by = from + (held - from).dot(n) / along * sight - held;
+    return upright ? Vec3(0, 0, by.z()) : by;
+}
+
 } // namespace
-
-void Viewport::set_default_format() {
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    format.setAlphaBufferSize(8);
-    format.setSamples(0);
-    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
-    QSurfaceFormat::setDefaultFormat(format);
-}
-
-QString Viewport::why_unavailable() {
-    QOffscreenSurface surface;
-    surface.create();
-    QOpenGLContext context;
-    if (!context.create() || !context.makeCurrent(&surface)) return tr("the display offers no OpenGL");
-    const QSurfaceFormat got = context.format();
-    context.doneCurrent();
-    if (got.version() >= qMakePair(3, 2)) return {};
-    return tr("the display offers OpenGL %1.%2 only; 3.2 is needed")
-        .arg(got.majorVersion())
-        .arg(got.minorVersion());
-}
 
 Viewport::Viewport(QWidget* parent) : SceneCanvas(parent) {
     setFocusPolicy(Qt::StrongFocus);
@@ -244,7 +228,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         break;
     }
     case Drag::fixture:
-        held_by_ = fixture_travel(event->position(), event->modifiers() & Qt::ControlModifier);
+        held_by_ = travel_of(held_.point, sight(), point_under(event->position()),
+                             event->modifiers() & Qt::ControlModifier);
         emit fixture_dragged(held_.index, held_by_);
         break;
     case Drag::tool:
@@ -261,6 +246,11 @@ void Viewport::zoom_at(const QPointF& at, double factor) {
     camera_moved();
 }
 
+Vec3 Viewport::point_under(const QPointF& at) const {
+    const QPointF p = device(at);
+    return scene().camera().point_at(p.x(), p.y());
+}
+
 std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
     const QPointF p = device(at);
     return scene().strips().pick_handle(p.x(), p.y(), pick_radius * devicePixelRatioF());
@@ -269,21 +259,6 @@ std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {
 std::optional<SceneFixtures::Pick> Viewport::fixture_at(const QPointF& at) const {
     const QPointF p = device(at);
     return scene().fixtures().pick(p.x(), p.y(), scene().part());
-}
-
-/// How far the place that was taken goes to stay under the pointer: in its level plane, or upright. Where
-/// that plane is seen from the side it goes in the upright plane that faces the eye.
-Vec3 Viewport::fixture_travel(const QPointF& to, bool upright) const {
-    constexpr double level_seen = 0.25; // a quarter of a circle's width
-    const QPointF p = device(to);
-    const Vec3 d = sight(), from = scene().camera().point_at(p.x(), p.y());
-    const bool level = !upright && std::abs(d.z()) > level_seen;
-    const Vec3 facing(d.x(), d.y(), 0);
-    const Vec3 n = level ? Vec3(Vec3::UnitZ()) : facing;
-    const double along = d.dot(n);
-    if (!(std::abs(along) > 1e-6)) return Vec3::Zero(); // straight from above nothing can be raised
-    const Vec3 by = from + (held_.point - from).dot(n) / along * d - held_.point;
-    return upright ? Vec3(0, 0, by.z()) : by;
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {

@@ -15,11 +15,6 @@ class ViewCube;
 class Viewport : public SceneCanvas {
     Q_OBJECT
 public:
-    /// The surface format that VTK needs; set as the default before the application object is made.
-    static void set_default_format();
-    /// Why the display cannot show a viewport; empty when it can. Asked once before the first window.
-    static QString why_unavailable();
-
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
@@ -89,8 +84,9 @@ private:
     void zoom_at(const QPointF& at, double factor);
     void hover(const QPointF& at);
     std::optional<Vec3> handle_at(const QPointF& at) const;
+    /// In the camera's plane.
+    Vec3 point_under(const QPointF& at) const;
     std::optional<SceneFixtures::Pick> fixture_at(const QPointF& at) const;
-    Vec3 fixture_travel(const QPointF& to, bool upright) const;
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     ViewCube* cube_ = nullptr;
