@@ -19,15 +19,13 @@ class ProjectFiles;
 class Autosave : public QObject {
     Q_OBJECT
 public:
-    /// So much work can be lost at most. It takes a moment to do again, and a project is a few kilobytes,
-    /// which can be written that often without being noticed.
-    static constexpr std::chrono::seconds interval{30};
-
     Autosave(Document& document, BackgroundJob& job, ProjectFiles& files, Messages& messages,
              QWidget* window);
     /// Nothing stays behind a window that ends in order.
     ~Autosave() override;
 
+    /// So much work can be lost at most; at first what the settings say. A project is a few kilobytes, which
+    /// can be written often without being noticed.
     void set_interval(std::chrono::milliseconds time) { timer_.setInterval(time); }
     /// Keeps what has changed since the last time, now. Happens by itself as a plan, or any other job of the
     /// window, begins.

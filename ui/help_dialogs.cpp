@@ -1,6 +1,7 @@
 #include "ui/help_dialogs.h"
 
 #include "ui/icons.h"
+#include "ui/preferences_dialog.h"
 #include "ui/text.h"
 
 #include <QCoreApplication>
@@ -15,9 +16,8 @@ void show_shortcuts(QWidget* window) {
                                "<td style=\"padding:2px 0; white-space:nowrap\">%2</td></tr>")
                     .arg(key, what);
     };
-    row(QObject::tr("Left drag"), QObject::tr("turn the view about the point under the pointer"));
-    row(QObject::tr("Middle drag, Shift + left drag"), QObject::tr("move the view"));
-    row(QObject::tr("Wheel, right drag"), QObject::tr("zoom about the pointer"));
+    for (const QString& line : navigation_words(settings::navigation().style))
+        row(line.section(QStringLiteral(": "), 1), line.section(QStringLiteral(": "), 0, 0).toLower());
     row(QObject::tr("Double click, F"), QObject::tr("fit"));
     row(QObject::tr("Click on a path"),
         QObject::tr("show the tool there; ← and → step along the path (Shift: by ten)"));

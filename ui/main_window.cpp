@@ -18,6 +18,7 @@
 #include "ui/program_export.h"
 #include "ui/project_files.h"
 #include "ui/properties_panel.h"
+#include "ui/recent_pictures.h"
 #include "ui/region_controller.h"
 #include "ui/region_dialog.h"
 #include "ui/report_view.h"
@@ -28,6 +29,7 @@
 #include "ui/status_line.h"
 #include "ui/strip_controller.h"
 #include "ui/strip_panel.h"
+#include "ui/templates.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/unrolled_controller.h"
@@ -55,6 +57,21 @@
 
 namespace facetmill::ui {
 
+namespace {
+
+QString title_of(const Document& document) {
+    if (document.name().isEmpty()) return QStringLiteral("Facetmill");
+    return QStringLiteral("%1%2 – Facetmill")
+        .arg(elided(document.name(), 60), document.modified() ? QStringLiteral("*") : QString());
+}
+
+QSize usual_size() {
+    const QSize screen = QApplication::primaryScreen()->availableSize();
+    return {std::min(1280, screen.width()), std::min(800, screen.height())};
+}
+
+} // namespace
+
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setObjectName(QStringLiteral("main_window"));
     setWindowIcon(application_icon());
@@ -72,7 +89,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     scene.set_visible(Layer::title, false); // the window has one
     if (const auto names = settings::shown_layers()) layers_->set_shown_names(*names);
     layers_->apply(scene);
-    set_theme(settings::theme());
+    take_preferences(*this);
     restore_window();
     update_title();
     update_commands();
@@ -108,6 +125,7 @@ void MainWindow::build_parts() {
                                *properties_, verification(), this);
     files_ = std::make_unique<ProjectFiles>(document_, planner_, job_, *messages_, controllers_->part(),
                                             *properties_, *tree_, this);
+    templates_ = new Templates(document_, *messages_, user_template_folder(), this);
     exports_ = new ProgramExport(document_, job_, *messages_, *properties_, *viewport_, verification(), this);
 
     auto* column = new QVBoxLayout(center);
@@ -152,6 +170,7 @@ void MainWindow::build_commands() {
     QMenu* recent = make_recent_menu(this, [this](const QString& path) { open_file(path); });
     commands_->adopt("samples", samples->menuAction());
     commands_->adopt("recent", recent->menuAction());
+    commands_->adopt("apply_template", templates_->menu()->menuAction());
     for (const auto& [name, action] : tree_commands(*tree_))
         commands_->adopt(name, action);
     build_menus(this, *commands_, *docks_);
@@ -160,6 +179,9 @@ void MainWindow::build_commands() {
     status_->follow(job_, commands_->action("cancel"));
     hint_ = new StartHint(samples, viewport_);
     connect(hint_, &StartHint::open_requested, files_.get(), &ProjectFiles::open_with_dialog);
+    connect(hint_, &StartHint::file_chosen, this, [this](const QString& path) { open_file(path); });
+    connect(hint_, &StartHint::sample_chosen, this, &MainWindow::new_from_sample);
+    new RecentPictures(document_, *viewport_, *this);
 }
 
 /// Comes after what the controllers do for the same signals.
@@ -167,7 +189,7 @@ void MainWindow::connect_document() {
     connect(&document_, &Document::opened, this, [this] {
         hint_->setVisible(!document_.has_part());
         messages_->dismiss();
-        viewport_->refresh();
+        viewport_->content_changed(); // the page stands over it, or does no more
         update_title();
     });
     connect(&document_, &Document::changed, this, [this] {
@@ -244,19 +266,14 @@ void MainWindow::connect_jobs() {
 }
 
 void MainWindow::restore_window() {
-    const QSize screen = QApplication::primaryScreen()->availableSize();
-    resize(std::min(1280, screen.width()), std::min(800, screen.height()));
+    resize(usual_size());
     docks_->size_as_new();
     restoreGeometry(settings::window_geometry());
     restoreState(settings::window_state());
 }
 
 void MainWindow::update_title() {
-    const QString name = document_.name();
-    setWindowTitle(name.isEmpty()
-                       ? QStringLiteral("Facetmill")
-                       : QStringLiteral("%1%2 – Facetmill")
-                             .arg(elided(name, 60), document_.modified() ? QStringLiteral("*") : QString()));
+    setWindowTitle(title_of(document_));
 }
 
 void MainWindow::update_commands() {
@@ -311,11 +328,10 @@ void MainWindow::set_unit(LengthUnit unit) {
 }
 
 void MainWindow::edit_tool(std::optional<std::size_t> index) {
-    ToolDialog* dialog = ToolDialog::open_for(document_, index, this);
-    if (!dialog) return;
-    connect(dialog, &ToolDialog::taken, this, [this](std::size_t at) {
-        tree_->select({TreeNode::Kind::tool, at});
-    });
+    if (const ToolDialog* dialog = ToolDialog::open_for(document_, index, this))
+        connect(dialog, &ToolDialog::taken, this, [this](std::size_t at) {
+            tree_->select({TreeNode::Kind::tool, at});
+        });
 }
 
 VerificationController& MainWindow::verification() {

@@ -33,6 +33,7 @@ class ReportView;
 class RoughController;
 class StartHint;
 class StatusLine;
+class Templates;
 class UnrolledController;
 class VerificationController;
 class Viewport;
@@ -67,12 +68,14 @@ public:
     BackgroundJob& job() { return job_; }
     ProjectFiles& files() { return *files_; }
     ProgramExport& exports() { return *exports_; }
+    Templates& templates() { return *templates_; }
     PlanRunner& planning() { return *planning_; }
     Viewport& viewport() { return *viewport_; }
     ProjectTree& tree() { return *tree_; }
     PropertiesPanel& properties() { return *properties_; }
     LayerBar& layers() { return *layers_; }
     MessageBar& message_bar() { return *message_bar_; }
+    StartHint& start_page() { return *hint_; }
     ReportView& report() { return *report_; }
     Controllers& controllers() { return *controllers_; }
     VerificationController& verification();
@@ -123,11 +126,11 @@ private:
     WindowDocks* docks_ = nullptr;
     std::unique_ptr<Messages> messages_;
     std::unique_ptr<Commands> commands_;
-
     Controllers* controllers_ = nullptr;
     PlanRunner* planning_ = nullptr;
     std::unique_ptr<ProjectFiles> files_; // keeps what is not saved: goes before the document
     ProgramExport* exports_ = nullptr;
+    Templates* templates_ = nullptr;
     BackgroundJob job_; // last, so that it ends first: its work uses the planner
 };
 

@@ -6,6 +6,8 @@
 #include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
 #include "core/output/apt.h"
+#include "core/output/post/post.h"
+#include "core/setup/machine.h"
 #include "ui/autosave.h"
 #include "ui/dropped_files.h"
 #include "ui/export.h"
@@ -20,6 +22,8 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace facetmill::ui {
 
@@ -251,6 +255,7 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
 
 void ProjectFiles::open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
     if (!unit) unit = settings::remembered_unit(path_text(path));
+    if (!unit) unit = settings::usual_project().unit;
     if (unit) {
         read_mesh(path, *unit,
                   [this, path, u = *unit](const LoadedPart& loaded) { take_mesh(path, u, loaded, {}); });
@@ -276,10 +281,21 @@ void ProjectFiles::ask_unit(const std::filesystem::path& path, const LoadedPart&
     dialog->open();
 }
 
+/// Machine and control that the user has, as far as there are such.
+static void take_usual(Project& project) {
+    const settings::UsualProject usual = settings::usual_project();
+    const auto has = [](const auto& all, const std::string& name) {
+        return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    };
+    if (has(machines(), usual.machine)) project.machine = usual.machine;
+    if (has(posts(), usual.post)) project.programs.post = usual.post;
+}
+
 void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
                              const QString& name, bool turned) {
     Project project = turned ? default_turned_project(path, unit, loaded.part->box)
                              : default_project(path, unit, loaded.part->box);
+    if (!turned) take_usual(project);
     loaded.key = Document::part_key(project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));

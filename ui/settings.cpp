@@ -111,7 +111,7 @@ void set_autosave_interval(std::chrono::seconds interval) {
 }
 
 int threads() {
-    return std::clamp(QSettings().value(QStringLiteral("threads"), 0).toInt(), 0, most_threads);
+    return std::clamp(QSettings().value(QStringLiteral("threads"), 0).toInt(), 0, max_threads);
 }
 
 void set_threads(int threads) {

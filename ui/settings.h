@@ -44,7 +44,7 @@ inline constexpr std::chrono::seconds shortest_autosave{5}, longest_autosave{360
 /// That planning and verifying use; 0: as many as the machine has.
 int threads();
 void set_threads(int threads);
-inline constexpr int most_threads = 1024;
+inline constexpr int max_threads = 1024;
 
 Theme theme();
 void set_theme(Theme theme);

@@ -1,17 +1,41 @@
 #include "ui/start_hint.h"
 
 #include "core/mesh/mesh_format.h"
+#include "core/mesh/sample.h"
 #include "ui/icons.h"
+#include "ui/recent_pictures.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/usual_project_box.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace facetmill::ui {
+
+namespace {
+
+/// Points of the view that lists of pictures need.
+constexpr int room_width = 520, room_height = 480;
+/// Pictures in a row before the list scrolls.
+constexpr int in_a_row = 4;
+constexpr int gap = 8;
+
+QLabel* heading(const QString& words, QWidget* parent) {
+    auto* label = new QLabel(words, parent);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+} // namespace
 
 StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("start_hint"));
@@ -37,26 +61,110 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     buttons->addWidget(open);
     buttons->addWidget(sample);
     buttons->addStretch(1);
+
+    more_ = new QWidget(this);
+    auto* lists = new QVBoxLayout(more_);
+    lists->setContentsMargins(0, 6, 0, 0);
+    recent_label_ = heading(tr("Recent"), more_);
+    recent_ = make_list(QStringLiteral("recent_list"), tr("Recent files"));
+    connect(recent_, &QListWidget::itemActivated, this,
+            [this](const QListWidgetItem* item) { emit file_chosen(item->data(Qt::UserRole).toString()); });
+    samples_ = make_list(QStringLiteral("sample_list"), tr("Samples"));
+    connect(samples_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        emit sample_chosen(utf8(item->data(Qt::UserRole).toString()));
+    });
+    list_samples();
+    usual_ = new UsualProjectBox(more_);
+    connect(usual_, &UsualProjectBox::chosen, this, [this] { settings::set_usual_project(usual_->usual()); });
+    lists->addWidget(recent_label_);
+    lists->addWidget(recent_);
+    lists->addWidget(heading(tr("Samples"), more_));
+    lists->addWidget(samples_);
+    lists->addWidget(heading(tr("New projects are for"), more_));
+    lists->addWidget(usual_);
+
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(22, 18, 22, 18);
     column->setSpacing(10);
     column->addWidget(title_);
     column->addWidget(text_);
     column->addLayout(buttons);
+    column->addWidget(more_);
+    show_usual();
+    list_recent();
     parent->installEventFilter(this);
     place();
 }
 
+/// One row of pictures, which scrolls.
+QListWidget* StartHint::make_list(const QString& name, const QString& called) {
+    auto* list = new QListWidget(more_);
+    list->setObjectName(name);
+    list->setAccessibleName(called);
+    list->setViewMode(QListView::IconMode);
+    list->setFlow(QListView::LeftToRight);
+    list->setWrapping(false);
+    list->setMovement(QListView::Static);
+    list->setIconSize(QSize(recent_picture_width, recent_picture_height) * 3 / 4);
+    list->setFrameShape(QFrame::NoFrame);
+    list->viewport()->setAutoFillBackground(false);
+    list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const QSize cell = list->iconSize() + QSize(2 * gap, list->fontMetrics().height() + 2 * gap);
+    list->setGridSize(cell);
+    list->setFixedSize(in_a_row * cell.width() + 4,
+                       cell.height() + list->horizontalScrollBar()->sizeHint().height() + 2);
+    return list;
+}
+
+QString StartHint::short_name(const QString& name) const {
+    return fontMetrics().elidedText(name, Qt::ElideMiddle, recent_->gridSize().width() - gap);
+}
+
+void StartHint::list_recent() {
+    recent_->clear();
+    for (const QString& path : settings::recent_files()) {
+        const QFileInfo file(path);
+        const QPixmap picture = recent_picture(path);
+        auto* item = new QListWidgetItem(picture.isNull() ? icon(Icon::part) : QIcon(picture),
+                                         short_name(file.fileName()), recent_);
+        item->setToolTip(path);
+        item->setData(Qt::UserRole, path);
+        if (!file.exists()) item->setFlags(Qt::NoItemFlags);
+    }
+    recent_->setVisible(recent_->count() > 0);
+    recent_label_->setVisible(recent_->count() > 0);
+}
+
+void StartHint::list_samples() {
+    for (const SampleKind& kind : sample_kinds()) {
+        const QIcon picture(QStringLiteral(":/pictures/samples/%1.png").arg(text(kind.name)));
+        auto* item = new QListWidgetItem(picture, short_name(text(kind.label)), samples_);
+        item->setToolTip(text(kind.help));
+        item->setData(Qt::UserRole, text(kind.name));
+    }
+}
+
+void StartHint::show_usual() {
+    usual_->set_usual(settings::usual_project());
+}
+
 void StartHint::place() {
     if (!parentWidget()) return;
-    adjustSize();
     const QSize room = parentWidget()->size();
+    more_->setVisible(room.width() >= room_width && room.height() >= room_height);
+    adjustSize();
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
 }
 
 bool StartHint::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show) place();
     return QFrame::eventFilter(object, event);
+}
+
+void StartHint::showEvent(QShowEvent* event) {
+    list_recent();
+    place();
+    QFrame::showEvent(event);
 }
 
 } // namespace facetmill::ui

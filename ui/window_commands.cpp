@@ -1,16 +1,21 @@
 #include "ui/window_commands.h"
 
+#include "core/base/parallel.h"
 #include "core/output/apt.h"
 #include "ui/all_setups.h"
+#include "ui/autosave.h"
 #include "ui/command.h"
 #include "ui/controllers.h"
 #include "ui/help_dialogs.h"
 #include "ui/inputs_controller.h"
 #include "ui/main_window.h"
 #include "ui/plan_runner.h"
+#include "ui/preferences_dialog.h"
 #include "ui/program_export.h"
 #include "ui/project_files.h"
 #include "ui/settings.h"
+#include "ui/start_hint.h"
+#include "ui/templates.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
@@ -76,6 +81,14 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   idle,
                   {},
                   tr("Write the project with its meshes, machines and posts into one file, to be sent")});
+    commands.add({"save_template",
+                  tr("Save as te&mplate…"),
+                  {},
+                  {},
+                  [&w] { w.templates().save_with_dialog(); },
+                  has_part,
+                  {},
+                  tr("Keep operations, tools and settings of this setup for other parts")});
     InputsController& inputs = w.controllers().inputs();
     commands.add({"replace_part",
                   tr("Replace par&t…"),
@@ -219,6 +232,19 @@ void add_setting_commands(Commands& commands, MainWindow& w) {
                       },
                       {},
                       [&w, t = theme] { return w.theme() == t; }});
+    commands.add({"preferences",
+                  tr("Pre&ferences…"),
+                  {},
+                  {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
+                  [&w] {
+                      auto* dialog = new PreferencesDialog(&w);
+                      dialog->setAttribute(Qt::WA_DeleteOnClose);
+                      QObject::connect(dialog, &QDialog::accepted, &w, [&w] { take_preferences(w); });
+                      dialog->open();
+                  },
+                  {},
+                  {},
+                  tr("Mouse, colours, machine of new projects, threads (Ctrl+,)")});
 }
 
 /// Undo and redo follow the document's history by themselves.
@@ -247,6 +273,14 @@ void add_commands(Commands& commands, MainWindow& window) {
                       show_shortcuts(&window);
                   }});
     commands.add({"about", tr("&About Facetmill"), {}, {}, [&window] { show_about(&window); }});
+}
+
+void take_preferences(MainWindow& w) {
+    w.set_theme(settings::theme());
+    w.viewport().set_navigation(settings::navigation());
+    w.files().autosave().set_interval(settings::autosave_interval());
+    set_thread_count(settings::threads());
+    w.start_page().show_usual();
 }
 
 } // namespace facetmill::ui

@@ -8,5 +8,7 @@ class Commands;
 class MainWindow;
 
 void add_commands(Commands& commands, MainWindow& window);
+/// The window takes over what the settings say: colours, navigation, how often work is kept, threads.
+void take_preferences(MainWindow& window);
 
 } // namespace facetmill::ui

@@ -50,8 +50,9 @@ std::vector<MenuTable> submenus() {
 std::vector<MenuTable> menus() {
     return {{"file_menu",
              tr("&File"),
-             {"new", "samples", "open", "recent", "open_program", "close_program", "-", "save", "save_as",
-              "save_packed", "-", "replace_part", "locate", "-", "export", "setup_sheet", "picture", "-",
+             {"new",          "samples", "open",        "recent", "open_program",   "close_program", "-",
+              "save",         "save_as", "save_packed", "-",      "apply_template", "save_template", "-",
+              "replace_part", "locate",  "-",           "export", "setup_sheet",    "picture",       "-",
               "quit"}},
             {"edit_menu",
              tr("&Edit"),
@@ -77,7 +78,8 @@ std::vector<MenuTable> menus() {
               "up",
               "down",
               "-",
-              "unit_menu"}},
+              "unit_menu",
+              "preferences"}},
             {"view_menu", tr("&View"),
              views()
                  + Entries{"-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",

@@ -3,6 +3,7 @@
 #include "ui/autosave.h"
 #include "ui/message_bar.h"
 #include "ui/project_tree.h"
+#include "ui/settings.h"
 #include "ui/text.h"
 
 #include <QAbstractButton>
@@ -184,7 +185,7 @@ private slots:
     }
 
     void after_a_while_and_before_planning() {
-        QCOMPARE(ui::Autosave::interval, std::chrono::seconds(30));
+        QCOMPARE(ui::settings::autosave_interval(), std::chrono::seconds(30));
         QVERIFY(save_and_edit(QStringLiteral("when")));
         w().plan();
         QCOMPARE(kept_beside(folder_).size(), 1); // before anything was planned

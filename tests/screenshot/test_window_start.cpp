@@ -1,0 +1,208 @@
+// How a stranger begins: the page of an empty window, preferences, templates of jobs.
+#include "core/base/parallel.h"
+#include "core/job/project.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/message_bar.h"
+#include "ui/preferences_dialog.h"
+#include "ui/project_tree.h"
+#include "ui/recent_pictures.h"
+#include "ui/settings.h"
+#include "ui/templates.h"
+#include "ui/viewport.h"
+#include "ui/window_commands.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::TreeNode;
+
+class TestWindowStart : public QObject, public WindowFixture {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> data_; ///< the user's own folder
+    QByteArray data_before_;
+
+    QListWidget* list(const char* name) { return w().findChild<QListWidget*>(QString::fromLatin1(name)); }
+    QWidget* start_page() { return w().findChild<QWidget*>(QStringLiteral("start_hint")); }
+    static void choose(QComboBox* box, const QString& value) {
+        box->setCurrentIndex(box->findData(value));
+        emit box->activated(box->currentIndex());
+    }
+
+private slots:
+    void init() {
+        QSettings().clear();
+        data_ = std::make_unique<QTemporaryDir>();
+        data_before_ = qgetenv("XDG_DATA_HOME");
+        qputenv("XDG_DATA_HOME", data_->path().toUtf8());
+        QVERIFY(show_window());
+    }
+    void cleanup() {
+        close_window();
+        data_before_.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", data_before_);
+    }
+    void cleanupTestCase() { QSettings().clear(); }
+
+    void a_sample_is_begun_from_its_picture() {
+        QVERIFY(start_page()->isVisible());
+        QListWidget* samples = list("sample_list");
+        QVERIFY(samples->isVisible() && samples->count() > 8);
+        for (int i = 0; i < samples->count(); ++i)
+            QVERIFY2(!samples->item(i)->icon().isNull() && !samples->item(i)->toolTip().isEmpty(),
+                     qPrintable(samples->item(i)->text()));
+        QVERIFY(!list("recent_list")->isVisible()); // nothing is recent yet
+        samples->setCurrentRow(1);
+        QTest::keyClick(samples, Qt::Key_Return);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().has_part() && !start_page()->isVisible());
+        QCOMPARE(w().document().name(), QStringLiteral("convex"));
+    }
+
+    void recent_files_have_pictures() {
+        const QString path = write_mesh(scratch_folder(QStringLiteral("recent")));
+        w().open_file(path, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        QTRY_VERIFY(!ui::recent_picture(path).isNull());
+        QCOMPARE(ui::recent_picture(path).size(), QSize(ui::recent_picture_width, ui::recent_picture_height));
+        ui::settings::add_recent_file(QDir::tempPath()
+                                      + QStringLiteral("/gone away since then, a long name.stl"));
+        action(w(), "new")->trigger();
+        QVERIFY(start_page()->isVisible());
+        QListWidget* recent = list("recent_list");
+        QVERIFY(recent->isVisible());
+        QCOMPARE(recent->count(), 2);
+        QVERIFY(!(recent->item(0)->flags() & Qt::ItemIsEnabled)); // it is not there
+        QCOMPARE(recent->item(1)->toolTip(), path);
+        shot(w(), QStringLiteral("start-recent"));
+        recent->setCurrentRow(1);
+        QTest::keyClick(recent, Qt::Key_Return);
+        QVERIFY(w().findChild<QDialog*>() || wait_until_settled(w())); // the unit is asked for
+        w().resize(800, 600);
+        shot(w(), QStringLiteral("start-small"));
+    }
+
+    void a_small_window_has_words_and_buttons() {
+        w().resize(800, 600);
+        QApplication::processEvents();
+        QVERIFY(start_page()->isVisible() && !list("sample_list")->isVisible());
+        QVERIFY(w().viewport().rect().contains(start_page()->geometry()));
+        shot(w(), QStringLiteral("start-800x600"));
+    }
+
+    void new_projects_are_for_the_users_machine() {
+        auto* machine = start_page()->findChild<QComboBox*>(QStringLiteral("usual_machine"));
+        choose(machine, QStringLiteral("trunnion-ac"));
+        choose(start_page()->findChild<QComboBox*>(QStringLiteral("usual_post")), QStringLiteral("haas"));
+        choose(start_page()->findChild<QComboBox*>(QStringLiteral("usual_unit")), QStringLiteral("in"));
+        // In inches, unasked.
+        w().open_file(write_mesh(scratch_folder(QStringLiteral("usual"))));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().has_part());
+        QVERIFY(w().document().unit() == LengthUnit::inch);
+        QCOMPARE(w().document().project().machine, std::string("trunnion-ac"));
+        QCOMPARE(w().document().project().programs.post, std::string("haas"));
+        // A turned sample keeps the machine that turns it.
+        action(w(), "sample_cylinder")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().project().machine, std::string("lathe-mill"));
+    }
+
+    void preferences() {
+        action(w(), "preferences")->trigger();
+        auto* dialog = w().findChild<ui::PreferencesDialog*>();
+        QVERIFY(dialog);
+        auto* style = dialog->findChild<QComboBox*>(QStringLiteral("navigation_style"));
+        for (int i = style->count() - 1; i >= 0; --i) {
+            style->setCurrentIndex(i);
+            QCOMPARE(ui::navigation_words(ui::NavigationStyle(i)).size(), 3);
+        }
+        style->setCurrentIndex(3);
+        dialog->findChild<QComboBox*>(QStringLiteral("orbit"))->setCurrentIndex(1);
+        dialog->findChild<QComboBox*>(QStringLiteral("colours"))->setCurrentIndex(2);
+        dialog->findChild<QSpinBox*>(QStringLiteral("autosave"))->setValue(90);
+        dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->setValue(1);
+        choose(dialog->findChild<QComboBox*>(QStringLiteral("usual_machine")), QStringLiteral("trunnion-bc"));
+        shot(*dialog, QStringLiteral("dialog-preferences"));
+        dialog->accept();
+        QCOMPARE(ui::settings::navigation(),
+                 (ui::Navigation{ui::NavigationStyle::blender, ui::Orbit::trackball}));
+        QVERIFY(w().theme() == ui::Theme::dark);
+        QCOMPARE(ui::settings::autosave_interval(), std::chrono::seconds(90));
+        QCOMPARE(thread_count(), 1);
+        // The page shows the same machine.
+        QCOMPARE(
+            start_page()->findChild<QComboBox*>(QStringLiteral("usual_machine"))->currentData().toString(),
+            QStringLiteral("trunnion-bc"));
+        shot(w(), QStringLiteral("start-dark"));
+        action(w(), "preferences")->trigger();
+        QTRY_VERIFY(w().findChild<ui::PreferencesDialog*>()
+                    && w().findChild<ui::PreferencesDialog*>() != dialog);
+        dialog = w().findChild<ui::PreferencesDialog*>();
+        QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->value(), 1);
+        dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->setValue(0);
+        shot(*dialog, QStringLiteral("dialog-preferences-dark"));
+        dialog->reject();
+        QCOMPARE(ui::settings::threads(), 1); // nothing was taken
+        QSettings().clear();
+        ui::take_preferences(w());
+        QVERIFY(thread_count() > 1 || QThread::idealThreadCount() == 1);
+    }
+
+    /// Two operations of one project kept, and taken by another part with another unit.
+    void a_template() {
+        ui::Templates& templates = w().templates();
+        QVERIFY(open_part());
+        w().document().add_operation("rough");
+        const std::size_t kept = w().document().operation_count();
+        emit templates.menu()->aboutToShow();
+        QVERIFY(!templates.menu()->actions().front()->isEnabled()); // none is kept yet
+        templates.save(QStringLiteral("relief in wood"));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("2 operations")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY_THROWS_EXCEPTION(Error, templates.save(QStringLiteral("../elsewhere")));
+
+        bool asked = false;
+        answer_next(QMessageBox::Discard, asked);
+        w().open_file(write_mesh(scratch_folder(QStringLiteral("other-part"))), LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        emit templates.menu()->aboutToShow();
+        QAction* entry = templates.menu()->actions().front();
+        QCOMPARE(entry->text(), QStringLiteral("relief in wood"));
+        QVERIFY(entry->isEnabled() && entry->toolTip().contains(QStringLiteral("2 operations")));
+        entry->trigger();
+        QCOMPARE(w().document().operation_count(), kept);
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("applied")),
+                 qPrintable(w().message_bar().message()));
+        shot(w(), QStringLiteral("start-template"));
+        w().document().undo_stack().undo();
+        QCOMPARE(w().document().operation_count(), std::size_t(1));
+        // A damaged one cannot be chosen, and says why.
+        QFile bad(ui::path_text(ui::user_template_folder() / "a bad one.fmtemplate"));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("{\"facetmill\": 1");
+        bad.close();
+        emit templates.menu()->aboutToShow();
+        QVERIFY(!templates.menu()->actions().front()->isEnabled()
+                && templates.menu()->actions().front()->toolTip().contains(QStringLiteral("a bad one")));
+        templates.apply(ui::path_of(bad.fileName()));
+        QVERIFY(w().last_failure().contains(QStringLiteral("cannot be applied")));
+    }
+};
+FACETMILL_TEST(TestWindowStart)
+
+#include "test_window_start.moc"

@@ -1,0 +1,133 @@
+#include "ui/preferences_dialog.h"
+
+#include "core/tools/library_file.h"
+#include "ui/text.h"
+#include "ui/usual_project_box.h"
+
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace facetmill::ui {
+
+QStringList navigation_words(NavigationStyle style) {
+    using D = PreferencesDialog;
+    switch (style) {
+    case NavigationStyle::facetmill:
+        return {D::tr("Turn: left button"), D::tr("Move: middle, or Shift + left"),
+                D::tr("Zoom: wheel, or right button")};
+    case NavigationStyle::fusion:
+        return {D::tr("Turn: Shift + middle button"), D::tr("Move: middle button"),
+                D::tr("Zoom: wheel, or Ctrl + middle")};
+    case NavigationStyle::freecad:
+        return {D::tr("Turn: middle and left button, or Shift + right"),
+                D::tr("Move: middle button, or Ctrl + right"), D::tr("Zoom: wheel")};
+    case NavigationStyle::blender:
+        return {D::tr("Turn: middle button"), D::tr("Move: Shift + middle"),
+                D::tr("Zoom: wheel, or Ctrl + middle")};
+    case NavigationStyle::solidworks:
+        return {D::tr("Turn: middle button"), D::tr("Move: Ctrl + middle"),
+                D::tr("Zoom: wheel, or Shift + middle")};
+    }
+    return {};
+}
+
+PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
+    setObjectName(QStringLiteral("preferences"));
+    setWindowTitle(tr("Preferences"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(make_view());
+    column->addWidget(make_new_projects());
+    column->addWidget(make_work());
+    column->addStretch(1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &PreferencesDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    column->addWidget(buttons);
+    resize(440, sizeHint().height());
+}
+
+QGroupBox* PreferencesDialog::make_view() {
+    auto* group = new QGroupBox(tr("View"), this);
+    auto* form = new QFormLayout(group);
+    const Navigation now = settings::navigation();
+    style_ = new QComboBox(group);
+    style_->setObjectName(QStringLiteral("navigation_style"));
+    style_->addItems({tr("Facetmill"), tr("Fusion"), tr("FreeCAD"), tr("Blender"), tr("SolidWorks")});
+    style_->setCurrentIndex(int(now.style));
+    form->addRow(tr("Mouse &like"), style_);
+    buttons_ = new QLabel(group);
+    buttons_->setForegroundRole(QPalette::PlaceholderText);
+    form->addRow(QString(), buttons_);
+    const auto show = [this] {
+        buttons_->setText(navigation_words(NavigationStyle(style_->currentIndex())).join(QChar('\n')));
+    };
+    connect(style_, &QComboBox::currentIndexChanged, this, show);
+    show();
+    orbit_ = new QComboBox(group);
+    orbit_->setObjectName(QStringLiteral("orbit"));
+    orbit_->addItems({tr("keeps Z upright"), tr("rolls freely")});
+    orbit_->setCurrentIndex(int(now.orbit));
+    form->addRow(tr("&Turning"), orbit_);
+    colors_ = new QComboBox(group);
+    colors_->setObjectName(QStringLiteral("colours"));
+    colors_->addItems({tr("as the desktop"), tr("light"), tr("dark")});
+    colors_->setCurrentIndex(int(settings::theme()));
+    form->addRow(tr("C&olours"), colors_);
+    return group;
+}
+
+QGroupBox* PreferencesDialog::make_new_projects() {
+    auto* group = new QGroupBox(tr("New projects"), this);
+    auto* column = new QVBoxLayout(group);
+    usual_ = new UsualProjectBox(group);
+    usual_->set_usual(settings::usual_project());
+    column->addWidget(usual_);
+    return group;
+}
+
+QGroupBox* PreferencesDialog::make_work() {
+    auto* group = new QGroupBox(tr("Work"), this);
+    auto* form = new QFormLayout(group);
+    autosave_ = new QSpinBox(group);
+    autosave_->setObjectName(QStringLiteral("autosave"));
+    autosave_->setRange(int(settings::shortest_autosave.count()), int(settings::longest_autosave.count()));
+    autosave_->setSuffix(tr(" s"));
+    autosave_->setValue(int(settings::autosave_interval().count()));
+    form->addRow(tr("&Keep unsaved work every"), autosave_);
+    threads_ = new QSpinBox(group);
+    threads_->setObjectName(QStringLiteral("threads"));
+    threads_->setRange(0, settings::max_threads);
+    threads_->setSpecialValueText(tr("all"));
+    threads_->setValue(settings::threads());
+    form->addRow(tr("T&hreads"), threads_);
+    const auto own = user_library_folder().parent_path();
+    auto* folder = new QPushButton(tr("Show"), group);
+    folder->setToolTip(path_text(own));
+    folder->setAutoDefault(false);
+    connect(folder, &QPushButton::clicked, this, [own] {
+        std::error_code failed;
+        std::filesystem::create_directories(own, failed);
+        QDesktopServices::openUrl(QUrl::fromLocalFile(path_text(own)));
+    });
+    form->addRow(tr("Folder of libraries and templates"), folder);
+    return group;
+}
+
+void PreferencesDialog::accept() {
+    settings::set_navigation({NavigationStyle(style_->currentIndex()), Orbit(orbit_->currentIndex())});
+    settings::set_theme(Theme(colors_->currentIndex()));
+    settings::set_usual_project(usual_->usual());
+    settings::set_autosave_interval(std::chrono::seconds(autosave_->value()));
+    settings::set_threads(threads_->value());
+    QDialog::accept();
+}
+
+} // namespace facetmill::ui
