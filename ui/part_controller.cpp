@@ -43,6 +43,7 @@ PartController::PartController(Document& document, Viewport& viewport, std::shar
     : Controller(window), document_(document), viewport_(viewport), planner_(std::move(planner)),
       planners_(std::move(planners)), job_(job), messages_(messages), verification_(verification) {
     connect(&job_, &BackgroundJob::started, this, &PartController::forget_former);
+    viewport_.scene().set_empty_text({});
 }
 
 void PartController::reload() {
@@ -51,20 +52,24 @@ void PartController::reload() {
     wanted_ = true;
     if (is_missing(document_.project().part_path())) {
         job_.cancel(); // what it may be reading is the part of another time
+        say_instead(tr("The file of the part is missing"));
         emit settled();
         return;
     }
     const bool first = !document_.part();
     auto loaded = std::make_shared<LoadedPart>();
+    const QString reading =
+        tr("Reading %1").arg(elided(path_text(document_.project().part_path().filename()), 30));
+    say_instead(reading + QChar(0x2026));
     job_.start(
-        tr("Reading %1").arg(elided(path_text(document_.project().part_path().filename()), 30)),
+        reading,
         [loaded, project = document_.project(), planner = planner_, planners = planners_](const Progress& p) {
             if (auto rest = planners->known_rest(project)) planner->carry(std::move(rest));
             *loaded = load_part(*planner, project, p);
         },
         [this, loaded, first, key = tried_](const JobEnd& end) {
             if (end.how == JobEnd::How::cancelled && tried_ == key) tried_.clear();
-            if (!end.done()) return;
+            if (!end.done()) return say_instead(tr("The part was not read"));
             show(*loaded, first);
             // Beside that, what is wrong with the stock would not be seen.
             if (const QString change = taken_change(); !change.isEmpty())
@@ -118,7 +123,13 @@ QString PartController::taken_change() {
     return all.join(QChar(' '));
 }
 
+void PartController::say_instead(const QString& words) {
+    viewport_.scene().set_empty_text(utf8(words));
+    viewport_.refresh();
+}
+
 void PartController::show(const LoadedPart& loaded, bool new_view) {
+    say_instead(tr("All of it is switched off below the view"));
     note_change(loaded);
     display_ = loaded.display;
     viewport_.scene().part().set(display_);
@@ -179,6 +190,7 @@ void PartController::project_opened() {
     viewport_.scene().part().set(PartDisplayPtr());
     viewport_.scene().stock().set_box(Box3());
     viewport_.scene().set_unit(document_.unit());
+    say_instead({}); // the start page stands there
 }
 
 void PartController::project_changed() {

@@ -56,6 +56,8 @@ public:
 
 private:
     void note_change(const LoadedPart& loaded);
+    /// What the view says where nothing is to be seen.
+    void say_instead(const QString& words);
     void show_stock();
     void show_dimensions();
 
