@@ -5,6 +5,7 @@
 #include "ui/theme.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -64,6 +65,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     row->addWidget(text_, 1);
     row->addWidget(button_, 0, Qt::AlignTop);
     row->addWidget(close_, 0, Qt::AlignTop);
+    parent->installEventFilter(this);
     hide();
 }
 
@@ -76,12 +78,25 @@ void MessageBar::show_message(Kind kind, const QString& message) {
     offer({});
     color();
     show();
+    place();
+    raise();
+}
+
+void MessageBar::place() {
+    const int width = parentWidget()->width();
+    setGeometry(0, 0, width, layout()->totalHeightForWidth(width));
+}
+
+bool MessageBar::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::Resize && isVisible()) place();
+    return QFrame::eventFilter(object, event);
 }
 
 void MessageBar::offer(MessageAction action) {
     action_ = std::move(action);
     button_->setText(action_.text);
     button_->setVisible(!action_.text.isEmpty());
+    if (isVisible()) place();
 }
 
 void MessageBar::dismiss() {

@@ -1,4 +1,4 @@
-// A line across the top of the view that says what went wrong, or asks for attention, without stopping
+// A line over the top of the view that says what went wrong, or asks for attention, without stopping
 // anybody.
 #pragma once
 
@@ -23,7 +23,8 @@ class MessageBar : public QFrame {
 public:
     enum class Kind { information, warning, error };
 
-    explicit MessageBar(QWidget* parent = nullptr);
+    /// Lies over the parent, which is not pushed about by it.
+    explicit MessageBar(QWidget* parent);
 
     void show_message(Kind kind, const QString& message);
     /// A button beside the message that is shown, until another one is.
@@ -39,7 +40,13 @@ public slots:
 signals:
     void dismissed();
 
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
 private:
+    /// As wide as the parent, as high as the words need.
+    void place();
+
     Kind kind_ = Kind::information;
     QString message_;
     MessageAction action_;
