@@ -10,6 +10,10 @@
 
 class QWidget;
 
+namespace facetmill {
+class SetupPlanners; // core/job/setup_plan.h
+}
+
 namespace facetmill::ui {
 
 class BoundaryController;

@@ -37,6 +37,7 @@
 #include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 #include "ui/view_cube.h"
+#include "ui/view_menu.h"
 #include "ui/viewport.h"
 #include "ui/window_commands.h"
 #include "ui/window_docks.h"
@@ -107,8 +108,8 @@ MainWindow::~MainWindow() {
 void MainWindow::build_parts() {
     auto* center = new QWidget(this);
     setCentralWidget(center);
-    message_bar_ = new MessageBar(center);
     viewport_ = new Viewport(center);
+    message_bar_ = new MessageBar(viewport_);
     viewport_->setObjectName(QStringLiteral("viewport"));
     layers_ = new LayerBar(center);
     log_ = new LogView(this);
@@ -131,7 +132,6 @@ void MainWindow::build_parts() {
     auto* column = new QVBoxLayout(center);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(message_bar_);
     column->addWidget(viewport_, 1);
     column->addWidget(roughing().bar());
     column->addWidget(verification().bar());
@@ -174,6 +174,7 @@ void MainWindow::build_commands() {
     for (const auto& [name, action] : tree_commands(*tree_))
         commands_->adopt(name, action);
     build_menus(this, *commands_, *docks_);
+    view_menu_ = new ViewMenu(*this, *commands_->action("view_menu")->menu());
     for (const char* name : {"undo", "redo", "save", "plan"})
         regions().dialog()->addAction(commands_->action(name));
     status_->follow(job_, commands_->action("cancel"));
@@ -232,8 +233,8 @@ void MainWindow::connect_panels() {
     });
     connect(viewport_, &Viewport::hovered, status_, &StatusLine::set_hovered);
     connect(viewport_, &Viewport::menu_requested, this,
-            [this](const QPoint& at) { commands_->action("view_menu")->menu()->popup(at); });
-    connect(status_, &StatusLine::unit_chosen, this, &MainWindow::set_unit);
+            [this](const QPoint& at) { view_menu_->make(at)->popup(at); });
+    connect(status_, &StatusLine::unit_chosen, this, [this](LengthUnit unit) { set_unit(*this, unit); });
 }
 
 void MainWindow::connect_jobs() {
@@ -315,16 +316,6 @@ void MainWindow::set_theme(Theme theme) {
     controllers_->tell(&Controller::palette_changed, palette);
     message_bar_->color();
     commands_->refresh();
-}
-
-void MainWindow::set_unit(LengthUnit unit) {
-    if (!document_.has_part() || unit == document_.unit()) return;
-    if (!properties_->commit()) {
-        update_commands(); // the box goes back
-        messages_->warning(tr("A parameter is not valid: correct it before the unit is changed."));
-        return;
-    }
-    document_.change(tr("Change unit"), [unit](Project& p) { p.unit = unit; });
 }
 
 void MainWindow::edit_tool(std::optional<std::size_t> index) {

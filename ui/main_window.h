@@ -6,6 +6,7 @@
 #include "ui/background_job.h"
 #include "ui/command.h"
 #include "ui/document.h"
+#include "ui/messages.h"
 #include "ui/theme.h"
 #include "viz/scene.h"
 
@@ -21,8 +22,6 @@ class CSpaceController;
 class InspectionController;
 class LayerBar;
 class LogView;
-class MessageBar;
-class Messages;
 class PlanRunner;
 class ProgramExport;
 class ProjectFiles;
@@ -35,6 +34,7 @@ class StartHint;
 class StatusLine;
 class Templates;
 class UnrolledController;
+class ViewMenu;
 class VerificationController;
 class Viewport;
 class WindowDocks;
@@ -56,8 +56,9 @@ public:
     void cancel();
     void set_theme(Theme theme);
     Theme theme() const { return theme_; }
-    void set_unit(LengthUnit unit);
 
+    /// Brings what can be done, and how, up to date.
+    void update_commands();
     void show_place(); ///< the panel that lays the part
     /// True while a job runs or a picture is due.
     bool busy() const;
@@ -76,6 +77,7 @@ public:
     LayerBar& layers() { return *layers_; }
     MessageBar& message_bar() { return *message_bar_; }
     StartHint& start_page() { return *hint_; }
+    Messages& messages() { return *messages_; }
     ReportView& report() { return *report_; }
     Controllers& controllers() { return *controllers_; }
     VerificationController& verification();
@@ -105,7 +107,6 @@ private:
     void connect_jobs();
     void restore_window();
     void update_title();
-    void update_commands();
     void edit_tool(std::optional<std::size_t> index);
     void check_settled();
 
@@ -116,6 +117,7 @@ private:
 
     Viewport* viewport_ = nullptr;
     StartHint* hint_ = nullptr;
+    ViewMenu* view_menu_ = nullptr;
     MessageBar* message_bar_ = nullptr;
     LayerBar* layers_ = nullptr;
     LogView* log_ = nullptr;

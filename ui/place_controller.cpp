@@ -156,7 +156,8 @@ void PlaceController::change_zero(const std::function<void(ProgramSpec&)>& edit)
     document_.change(tr("Set work zero"), [&](Project& p) { p.programs = after; });
 }
 
-void PlaceController::take_zero(const PartPick& pick) {
+void PlaceController::zero_at(const PartPick& pick) {
+    if (!mesh()) return;
     const Vec3 at = snapped_point(viewport_, *mesh(), pick);
     leave();
     change_zero([&](ProgramSpec& spec) {
@@ -296,11 +297,11 @@ void PlaceController::take(const std::optional<PartPick>& pick) {
     }
     try {
         if (picking_ == PlacePick::face)
-            take_face(*pick);
+            lay_on(*pick);
         else if (picking_ == PlacePick::points)
             take_point(*pick);
         else if (picking_ == PlacePick::zero)
-            take_zero(*pick);
+            zero_at(*pick);
         else if (picking_ == PlacePick::hole)
             take_hole(*pick);
         else
@@ -311,7 +312,8 @@ void PlaceController::take(const std::optional<PartPick>& pick) {
     }
 }
 
-void PlaceController::take_face(const PartPick& pick) {
+void PlaceController::lay_on(const PartPick& pick) {
+    if (!mesh()) return;
     // What is seen of a sheet from behind is laid down as it is seen.
     const Vec3 down = pick.back_side ? Vec3(-pick.normal) : pick.normal;
     const Mesh& part = *mesh();

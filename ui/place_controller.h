@@ -30,6 +30,10 @@ public:
     /// Ends what is picked.
     void leave() { pick(PlacePick::none); }
     const std::vector<LyingFace>& faces() const { return faces_; }
+    /// What was clicked, where the part is as the project says: it comes to lie on that face, or programs
+    /// count from there.
+    void lay_on(const PartPick& pick);
+    void zero_at(const PartPick& pick);
 
     void project_opened() override;
     void project_changed() override { refresh(); }
@@ -46,14 +50,12 @@ private:
     void refresh();
     void show_zero();
     void change_zero(const std::function<void(ProgramSpec&)>& edit);
-    void take_zero(const PartPick& pick);
     void take_hole(const PartPick& pick);
     void find_faces();
     void show_chosen();
     void lay_chosen();
     void pick(PlacePick what);
     void take(const std::optional<PartPick>& pick);
-    void take_face(const PartPick& pick);
     void take_point(const PartPick& pick);
     void take_edge(const PartPick& pick);
     const Mesh* mesh() const { return steps_->mesh(); }

@@ -13,6 +13,7 @@
 #include "ui/preferences_dialog.h"
 #include "ui/program_export.h"
 #include "ui/project_files.h"
+#include "ui/properties_panel.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/templates.h"
@@ -216,7 +217,7 @@ void add_setting_commands(Commands& commands, MainWindow& w) {
                       label,
                       {},
                       {},
-                      [&w, u = unit] { w.set_unit(u); },
+                      [&w, u = unit] { set_unit(w, u); },
                       [&w] { return w.document().has_part(); },
                       [&w, u = unit] { return w.document().unit() == u; }});
     for (const auto& [theme, label] :
@@ -281,6 +282,16 @@ void take_preferences(MainWindow& w) {
     w.files().autosave().set_interval(settings::autosave_interval());
     set_thread_count(settings::threads());
     w.start_page().show_usual();
+}
+
+void set_unit(MainWindow& w, LengthUnit unit) {
+    if (!w.document().has_part() || unit == w.document().unit()) return;
+    if (!w.properties().commit()) {
+        w.update_commands(); // the box goes back
+        w.messages().warning(tr("A parameter is not valid: correct it before the unit is changed."));
+        return;
+    }
+    w.document().change(tr("Change unit"), [unit](Project& p) { p.unit = unit; });
 }
 
 } // namespace facetmill::ui

@@ -2,6 +2,8 @@
 // does.
 #pragma once
 
+#include "core/base/units.h"
+
 namespace facetmill::ui {
 
 class Commands;
@@ -10,5 +12,8 @@ class MainWindow;
 void add_commands(Commands& commands, MainWindow& window);
 /// The window takes over what the settings say: colours, navigation, how often work is kept, threads.
 void take_preferences(MainWindow& window);
+/// The project gets another unit, as a step of its history. Where a field holds no value that is told
+/// instead.
+void set_unit(MainWindow& window, LengthUnit unit);
 
 } // namespace facetmill::ui

@@ -306,9 +306,9 @@ private slots:
         QVERIFY(painted().size() > all);
         // Beside the part and with Ctrl the view turns, and nothing is painted.
         const std::string before = boundary().facets;
-        const Vec3 sight = w().viewport().sight();
+        const Vec3 up = w().viewport().up(); // seen from above: about Z
         drag(pixel(on_part(20, 25)), pixel(on_part(30, 25)), Qt::ControlModifier);
-        QVERIFY((w().viewport().sight() - sight).norm() > 1e-3);
+        QVERIFY((w().viewport().up() - up).norm() > 1e-3);
         drag(QPoint(4, 4), QPoint(40, 30));
         QCOMPARE(boundary().facets, before);
         QTest::keyClick(&w().viewport(), Qt::Key_Escape);

@@ -74,7 +74,7 @@ private slots:
         QTest::keyClick(posture, Qt::Key_Home);
         QVERIFY(settings().posture == Finish5Settings::PostureChoice::cm2);
         // In the other unit the same values; angles stay what they are.
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         QCOMPARE(field(w(), "stepover")->text(), QStringLiteral("2.54"));
         QCOMPARE(field(w(), "grid_degrees")->text(), QStringLiteral("6"));
         QCOMPARE(settings().stepover.number, 0.1 * mm_per_inch);

@@ -102,7 +102,7 @@ private slots:
         for (std::size_t i = 0; i < w().document().operation_count(); ++i)
             w().tree().select({TreeNode::Kind::operation, i});
         w().show_place();
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         w().document().change(QStringLiteral("Turn"), [](Project& p) { p.part.rotate = {0, 0, 1}; });
         QVERIFY(wait_until_settled(w()));
         w().verify();

@@ -124,7 +124,7 @@ private slots:
         colors()->setCurrentIndex(int(PathQuantity::feed));
         QVERIFY(wait_until_settled(w()));
         const QImage inches = view_picture(w());
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(changed_pixels(inches, view_picture(w())) > 50); // the legend
         w().layers().set_shown(ViewLayer::cuts, false);

@@ -133,13 +133,13 @@ private slots:
             QVERIFY2(is(17.3, corner, stock - 25 * std::sqrt(2.0)), qPrintable(seen(17.3, corner).name()));
         shot(w(), QStringLiteral("unrolled-light"));
         // The legend and the lengths follow the unit.
-        w().set_unit(LengthUnit::inch);
+        ui::set_unit(w(), LengthUnit::inch);
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(view()->path()->unit, std::string("in"));
         QVERIFY(std::abs(view()->path()->high - path_high_inches(stock)) < 0.51 / mm_per_inch);
         QVERIFY(changed_pixels(picture, view()->grab().toImage()) > 100);
         shot(w(), QStringLiteral("unrolled-inches"));
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         w().set_theme(Theme::dark);
         QVERIFY(wait_until_settled(w()));

@@ -8,8 +8,8 @@
 #include "ui/recent_pictures.h"
 #include "ui/settings.h"
 #include "ui/templates.h"
+#include "ui/view_menu.h"
 #include "ui/viewport.h"
-#include "ui/window_commands.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
@@ -161,6 +162,69 @@ private slots:
         QSettings().clear();
         ui::take_preferences(w());
         QVERIFY(thread_count() > 1 || QThread::idealThreadCount() == 1);
+    }
+
+    /// A right click offers what can be done with what lies there; everything in it can be undone.
+    void what_was_clicked() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        view.set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        const QPoint middle = view.mapToGlobal(view.rect().center()), corner = view.mapToGlobal(QPoint(3, 3));
+        auto* views = w().findChild<QMenu*>(QStringLiteral("view_menu"));
+        QVERIFY(views);
+        ui::ViewMenu menus(w(), *views);
+        const auto entry = [](QMenu* menu, const char* name) -> QAction* {
+            for (QAction* a : menu->actions())
+                if (a->text() == QLatin1String(name)) return a;
+            return nullptr;
+        };
+        QPointer<QMenu> menu = menus.make(corner);
+        QVERIFY(!entry(menu, "Lay on this face") && !entry(menu, "Hide part"));
+        menu = menus.make(middle);
+        QVERIFY(entry(menu, "Lay on this face") && entry(menu, "Hide part"));
+        shot(*menu, QStringLiteral("menu-clicked"));
+        const int steps = w().document().undo_stack().count();
+        entry(menu, "Boundary of this face")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().undo_stack().count(), steps + 1);
+        QCOMPARE(w().document().project().boundaries.size(), std::size_t(1));
+        QVERIFY(!w().document().project().boundaries[0].facets.empty());
+        w().document().undo_stack().undo();
+        QVERIFY(w().document().project().boundaries.empty());
+        entry(menu, "Zero here")->trigger();
+        QVERIFY(w().document().project().programs.zero_from == ProgramSpec::ZeroFrom::origin);
+        const auto& zero = w().document().project().programs.zero;
+        const Box3 box = w().document().part()->box;
+        for (int k = 0; k < 3; ++k)
+            QVERIFY(zero[std::size_t(k)] >= box.lo[k] - 1e-9 && zero[std::size_t(k)] <= box.hi[k] + 1e-9);
+        QVERIFY(Vec3(zero.data()).norm() > 1); // not where it was
+        entry(menu, "Lay on this face")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().undo_stack().count() > steps);
+        entry(menu, "Hide part")->trigger();
+        QVERIFY(!w().viewport().scene().visible(Layer::part));
+        menu = menus.make(middle);
+        QVERIFY(entry(menu, "Show part"));
+        entry(menu, "Show part")->trigger();
+        QVERIFY(w().viewport().scene().visible(Layer::part));
+    }
+
+    /// Messages lie over the view, whose picture stays where it is.
+    void messages_push_nothing() {
+        QVERIFY(open_part());
+        const QRect before = w().viewport().geometry();
+        w().message_bar().show_message(
+            ui::MessageBar::Kind::warning,
+            QString(QStringLiteral("A long story that needs several lines. ")).repeated(8));
+        QApplication::processEvents();
+        QCOMPARE(w().viewport().geometry(), before);
+        QVERIFY(w().viewport().rect().contains(w().message_bar().geometry()));
+        shot(w(), QStringLiteral("start-message"));
+        w().resize(700, 600);
+        QApplication::processEvents();
+        QCOMPARE(w().message_bar().width(), w().viewport().width());
+        QVERIFY(w().message_bar().height() >= w().message_bar().heightForWidth(w().message_bar().width()));
     }
 
     /// Two operations of one project kept, and taken by another part with another unit.

@@ -176,11 +176,11 @@ private slots:
         QVERIFY2(controller().panel()->note()->text().contains(QStringLiteral("2 strips")),
                  qPrintable(controller().panel()->note()->text()));
         // Lengths go with the unit.
-        w().set_unit(LengthUnit::inch);
+        ui::set_unit(w(), LengthUnit::inch);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(std::abs(row("Valley 1")->text(3).toDouble() - 40 / 25.4) < 0.05);
         QVERIFY(list()->headerItem()->text(3).contains(QStringLiteral("in")));
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("strips"));
     }

@@ -283,7 +283,7 @@ private slots:
         QTest::mouseClick(range->findChild<QToolButton*>(QStringLiteral("range_reset")), Qt::LeftButton);
         QCOMPARE(w().viewport().scene().deviation().scale().high, first.high);
         // In the other unit the same lengths.
-        w().set_unit(LengthUnit::mm);
+        ui::set_unit(w(), LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(std::abs(range->high()->value() - first.high) < 1e-4);
     }

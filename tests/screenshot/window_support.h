@@ -5,6 +5,7 @@
 #include "ui/main_window.h"
 #include "ui/program_export.h"
 #include "ui/project_files.h"
+#include "ui/window_commands.h"
 
 #include <QImage>
 #include <QMessageBox>
