@@ -6,6 +6,7 @@
 #include "ui/inputs_controller.h"
 #include "ui/inspection_controller.h"
 #include "ui/layer_bar.h"
+#include "ui/measure_controller.h"
 #include "ui/messages.h"
 #include "ui/part_controller.h"
 #include "ui/path_controller.h"
@@ -66,11 +67,18 @@ void Controllers::build(const Parts& p, QWidget* window) {
     connect(place_, &PlaceController::picking_begun, boundaries, &BoundaryController::leave);
     connect(boundaries, &BoundaryController::painting_begun, picker, &PointPicker::leave);
     connect(boundaries, &BoundaryController::painting_begun, place_, &PlaceController::leave);
+    measure_ = new MeasureController(p.document, p.viewport, p.messages, window);
+    connect(measure_, &MeasureController::measuring_begun, picker, &PointPicker::leave);
+    connect(measure_, &MeasureController::measuring_begun, place_, &PlaceController::leave);
+    connect(measure_, &MeasureController::measuring_begun, boundaries, &BoundaryController::leave);
+    connect(picker, &PointPicker::picking_begun, measure_, &MeasureController::leave);
+    connect(place_, &PlaceController::picking_begun, measure_, &MeasureController::leave);
+    connect(boundaries, &BoundaryController::painting_begun, measure_, &MeasureController::leave);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {picker, boundaries, verification_, rough_,   regions_, inspection_, unrolled_, cspace_,
-            tool_,  strips_,    part_,         fixtures, inputs_,  place_,      paths_};
+    all_ = {measure_, picker, boundaries, verification_, rough_,   regions_, inspection_, unrolled_,
+            cspace_,  tool_,  strips_,    part_,         fixtures, inputs_,  place_,      paths_};
 }
 
 void Controllers::connect_document(const Document& document) {

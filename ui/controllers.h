@@ -21,6 +21,7 @@ class CSpaceController;
 class InputsController;
 class InspectionController;
 class LayerBar;
+class MeasureController;
 class Messages;
 class PartController;
 class PathController;
@@ -64,6 +65,7 @@ public:
     PartController& part() { return *part_; }
     InputsController& inputs() { return *inputs_; }
     PlaceController& place() { return *place_; }
+    MeasureController& measure() { return *measure_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -99,6 +101,7 @@ private:
     PartController* part_ = nullptr;
     InputsController* inputs_ = nullptr;
     PlaceController* place_ = nullptr;
+    MeasureController* measure_ = nullptr;
     std::vector<Controller*> all_; ///< in the order in which they are told
 };
 

@@ -9,6 +9,7 @@
 #include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
 #include "ui/log_view.h"
+#include "ui/measure_controller.h"
 #include "ui/messages.h"
 #include "ui/operation_actions.h"
 #include "ui/parameter_form.h"
@@ -231,6 +232,7 @@ void MainWindow::connect_panels() {
         controllers_->tell(&Controller::layers_toggled);
         viewport_->refresh();
     });
+    connect(&controllers_->measure(), &MeasureController::switched, this, &MainWindow::update_commands);
     connect(viewport_, &Viewport::hovered, status_, &StatusLine::set_hovered);
     connect(viewport_, &Viewport::menu_requested, this,
             [this](const QPoint& at) { view_menu_->make(at)->popup(at); });

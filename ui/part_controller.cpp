@@ -131,6 +131,8 @@ void PartController::say_instead(const QString& words) {
 void PartController::show(const LoadedPart& loaded, bool new_view) {
     say_instead(tr("All of it is switched off below the view"));
     note_change(loaded);
+    if (display_ != loaded.display)
+        viewport_.scene().marks().set_marker(std::nullopt); // on the part that was
     display_ = loaded.display;
     viewport_.scene().part().set(display_);
     viewport_.content_changed();

@@ -37,7 +37,7 @@ const std::array<Face, 6>& faces() {
 constexpr int side = 92;
 constexpr double half_edge = 25.0;
 const QRectF house(side - 21, side - 21, 18, 18);
-constexpr double house_radius = 11.0;
+constexpr double house_radius = 11.0, arrow_radius = 9.0;
 
 } // namespace
 
@@ -53,7 +53,8 @@ ViewCube::ViewCube(QWidget* parent) : QWidget(parent) {
         const int r = int(std::ceil(radius));
         return QRegion(int(center.x()) - r, int(center.y()) - r, 2 * r, 2 * r, QRegion::Ellipse);
     };
-    setMask(disc(middle, reach) + disc(house.center(), house_radius + 1));
+    setMask(disc(middle, reach) + disc(house.center(), house_radius + 1)
+            + disc(roll_center(1), arrow_radius + 1) + disc(roll_center(-1), arrow_radius + 1));
 }
 
 void ViewCube::set_orientation(const Vec3& sight, const Vec3& up) {
@@ -76,8 +77,22 @@ std::optional<QPointF> ViewCube::face_center(StandardView view) const {
     return std::nullopt;
 }
 
+QPointF ViewCube::roll_center(int quarters) const {
+    constexpr double from_edge = arrow_radius + 1;
+    return {quarters > 0 ? side - from_edge : from_edge, from_edge};
+}
+
+int ViewCube::roll_at(const QPointF& at) const {
+    for (const int quarters : {1, -1}) {
+        const QPointF away = at - roll_center(quarters);
+        if (std::hypot(away.x(), away.y()) <= arrow_radius) return quarters;
+    }
+    return 0;
+}
+
 std::optional<StandardView> ViewCube::face_at(const QPointF& at) const {
     if (house.contains(at)) return StandardView::iso;
+    if (roll_at(at) != 0) return std::nullopt;
     for (const Face& f : faces()) {
         if (!seen(f.outward)) continue;
         const QPolygonF outline({project(f.outward - f.right - f.up), project(f.outward + f.right - f.up),
@@ -117,6 +132,8 @@ void ViewCube::paintEvent(QPaintEvent*) {
     }
     QColor ground = body;
     ground.setAlpha(200);
+    for (const int quarters : {1, -1})
+        draw_arrow(p, quarters, ground, roll_hover_ == quarters ? accent : ink);
     p.setPen(Qt::NoPen);
     p.setBrush(ground);
     p.drawEllipse(house.center(), house_radius, house_radius);
@@ -129,36 +146,62 @@ void ViewCube::paintEvent(QPaintEvent*) {
         QPolygonF({{x + 4.5, y + 7.5}, {x + 4.5, y + 15}, {x + 13.5, y + 15}, {x + 13.5, y + 7.5}}));
 }
 
+/// A quarter of a circle over the disc's middle with a head at its end.
+void ViewCube::draw_arrow(QPainter& p, int quarters, const QColor& ground, const QColor& ink) const {
+    constexpr double bow = 5.5, head = 3.5;
+    const QPointF middle = roll_center(quarters);
+    p.setPen(Qt::NoPen);
+    p.setBrush(ground);
+    p.drawEllipse(middle, arrow_radius, arrow_radius);
+    p.setPen(QPen(ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    p.setBrush(Qt::NoBrush);
+    const int sixteenth = 16; // QPainter counts in sixteenths of a degree
+    const QRectF circle(middle.x() - bow, middle.y() - bow, 2 * bow, 2 * bow);
+    p.drawArc(circle, (quarters > 0 ? 0 : 30) * sixteenth, 150 * sixteenth);
+    const QPointF end(middle.x() + quarters * bow, middle.y());
+    p.drawPolyline(QPolygonF({end + QPointF(-head, -head + 1), end, end + QPointF(head, -head + 1)}));
+}
+
 void ViewCube::mousePressEvent(QMouseEvent* event) {
     pressed_ = face_at(event->position());
+    roll_pressed_ = roll_at(event->position());
 }
 
 void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
     const auto face = face_at(event->position());
     if (event->button() == Qt::LeftButton && face && face == pressed_) emit chosen(*face);
+    const int roll = roll_at(event->position());
+    if (event->button() == Qt::LeftButton && roll != 0 && roll == roll_pressed_) emit rolled(roll);
     pressed_.reset();
+    roll_pressed_ = 0;
 }
 
 void ViewCube::mouseMoveEvent(QMouseEvent* event) {
     const auto face = face_at(event->position());
-    if (face == hover_) return;
+    const int roll = roll_at(event->position());
+    if (face == hover_ && roll == roll_hover_) return;
     hover_ = face;
+    roll_hover_ = roll;
     update();
 }
 
 void ViewCube::mouseDoubleClickEvent(QMouseEvent* event) {
-    pressed_ = face_at(event->position()); // two quick clicks, not a fit of the view below
+    mousePressEvent(event); // two quick clicks, not a fit of the view below
 }
 
 void ViewCube::leaveEvent(QEvent*) {
     hover_.reset();
+    roll_hover_ = 0;
     update();
 }
 
 bool ViewCube::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto face = face_at(help->pos()))
+        if (const int roll = roll_at(help->pos()))
+            QToolTip::showText(help->globalPos(), roll > 0 ? tr("Roll clockwise") : tr("Roll anticlockwise"),
+                               this);
+        else if (const auto face = face_at(help->pos()))
             QToolTip::showText(help->globalPos(), text(view_label(*face)), this);
         else
             QToolTip::hideText();

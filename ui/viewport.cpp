@@ -41,6 +41,7 @@ Viewport::Viewport(QWidget* parent) : SceneCanvas(parent) {
     setMinimumSize(160, 120);
     cube_ = new ViewCube(this);
     connect(cube_, &ViewCube::chosen, this, &Viewport::set_view);
+    connect(cube_, &ViewCube::rolled, this, &Viewport::roll);
     connect(this, &Viewport::camera_changed, cube_, [this] { cube_->set_orientation(sight(), up()); });
     cube_->set_orientation(sight(), up());
 }
@@ -65,6 +66,12 @@ void Viewport::set_view(StandardView view) {
     set_fitted(true);
     emit camera_changed();
     refresh();
+}
+
+void Viewport::roll(int quarters) {
+    const Vec3 now = Eigen::AngleAxisd(-0.5 * pi * quarters, sight()) * up();
+    scene().camera().vtk()->SetViewUp(now.data());
+    camera_moved();
 }
 
 void Viewport::fit() {
@@ -93,7 +100,8 @@ void Viewport::place_overlays() {
     cube_->move(width() - cube_->width() - margin, height() - cube_->height() - scale_bar);
     bool free = width() > 260 && height() > 200;
     for (const QWidget* other : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
-        if (other != cube_ && !other->isHidden() && other->geometry().intersects(cube_->geometry()))
+        if (other != cube_ && !other->isHidden() && !other->testAttribute(Qt::WA_TransparentForMouseEvents)
+            && other->geometry().intersects(cube_->geometry()))
             free = false;
     cube_->setVisible(free);
     const QRectF covered = free ? QRectF(cube_->geometry()) : QRectF();

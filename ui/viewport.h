@@ -22,6 +22,8 @@ public:
     void set_view(StandardView view);
     /// The scene's camera was moved from outside. Draws soon.
     void camera_moved();
+    /// The picture by quarters of a turn, clockwise.
+    void roll(int quarters);
     /// Fits the view without a change of direction.
     void fit();
     /// Direction of sight and upward direction of the screen, unit vectors.

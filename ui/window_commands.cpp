@@ -9,6 +9,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/inputs_controller.h"
 #include "ui/main_window.h"
+#include "ui/measure_controller.h"
 #include "ui/plan_runner.h"
 #include "ui/preferences_dialog.h"
 #include "ui/program_export.h"
@@ -233,6 +234,14 @@ void add_setting_commands(Commands& commands, MainWindow& w) {
                       },
                       {},
                       [&w, t = theme] { return w.theme() == t; }});
+    commands.add({"measure",
+                  tr("&Measure"),
+                  {},
+                  {QKeySequence(Qt::Key_M)},
+                  [&w] { w.controllers().measure().set_active(!w.controllers().measure().active()); },
+                  [&w] { return w.document().part() != nullptr; },
+                  [&w] { return w.controllers().measure().active(); },
+                  tr("Distance and angle between two points of the part (M)")});
     commands.add({"preferences",
                   tr("Pre&ferences…"),
                   {},

@@ -2,12 +2,15 @@
 #include "core/base/parallel.h"
 #include "core/job/project.h"
 #include "tests/screenshot/window_support.h"
+#include "ui/controllers.h"
+#include "ui/measure_controller.h"
 #include "ui/message_bar.h"
 #include "ui/preferences_dialog.h"
 #include "ui/project_tree.h"
 #include "ui/recent_pictures.h"
 #include "ui/settings.h"
 #include "ui/templates.h"
+#include "ui/text.h"
 #include "ui/view_menu.h"
 #include "ui/viewport.h"
 
@@ -20,6 +23,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
@@ -208,6 +212,51 @@ private slots:
         QVERIFY(entry(menu, "Show part"));
         entry(menu, "Show part")->trigger();
         QVERIFY(w().viewport().scene().visible(Layer::part));
+    }
+
+    /// Two clicks: the distance of two corners of the part, against its vertices.
+    void measuring() {
+        QVERIFY(open_part());
+        auto& view = w().viewport();
+        auto& measure = w().controllers().measure();
+        view.set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        QTest::keyClick(&w(), Qt::Key_M);
+        QVERIFY(measure.active() && action(w(), "measure")->isChecked());
+        const Mesh& mesh = *w().document().part()->mesh;
+        const auto click = [&](const Vec3& at) {
+            const Vec2 p = view.scene().camera().display_of(at);
+            QTest::mouseClick(&view, Qt::LeftButton, {},
+                              (QPointF(p.x(), p.y()) / view.devicePixelRatioF()).toPoint());
+        };
+        const Vec3 a = mesh.corner(5 * 48 + 10, 0), b = mesh.corner(18 * 48 + 30, 1); // within the grid
+        click(a);
+        QVERIFY(!measure.measured());
+        click(b);
+        const auto m = measure.measured();
+        QVERIFY(m.has_value());
+        QVERIFY((m->from - a).norm() < 1e-9 && (m->to - b).norm() < 1e-9);
+        QVERIFY2(w().message_bar().message().startsWith(QStringLiteral("Distance ")
+                                                        + ui::shown_length((a - b).norm(), LengthUnit::inch)),
+                 qPrintable(w().message_bar().message()));
+        shot(w(), QStringLiteral("start-measuring"));
+        // The view still turns, and a third click begins anew.
+        const Vec3 sight = view.sight();
+        QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
+        QMouseEvent event(QEvent::MouseMove, view.rect().center() - QPoint(0, 60),
+                          view.mapToGlobal(view.rect().center() - QPoint(0, 60)), Qt::NoButton,
+                          Qt::LeftButton, {});
+        QApplication::sendEvent(&view, &event);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center() - QPoint(0, 60));
+        QVERIFY((view.sight() - sight).norm() > 0.1 && measure.measured());
+        click(a);
+        QVERIFY(!measure.measured());
+        QTest::keyClick(&w(), Qt::Key_Escape);
+        QVERIFY(!measure.active() && !action(w(), "measure")->isChecked());
+        // A right angle.
+        const ui::Measurement right{Vec3(0, 0, 0), Vec3(3, 4, 12), 0.5 * pi};
+        QCOMPARE(ui::measurement_text(right, LengthUnit::mm).replace(QChar(0xa0), QChar(' ')),
+                 QStringLiteral("Distance 13 mm, X 3 mm, Y 4 mm, Z 12 mm; faces at 90°"));
     }
 
     /// Messages lie over the view, whose picture stays where it is.

@@ -106,6 +106,22 @@ private slots:
         QTest::mouseClick(view.view_cube(), Qt::LeftButton, {},
                           view.view_cube()->face_center(StandardView::iso)->toPoint());
         QVERIFY(angle_between(view.sight(), iso) < 1e-6);
+        // The arrows roll the picture by a quarter of a turn; four times it is as it was.
+        view.set_view(StandardView::top);
+        const auto roll = [&](int quarters) {
+            QTest::mouseClick(view.view_cube(), Qt::LeftButton, {},
+                              view.view_cube()->roll_center(quarters).toPoint());
+        };
+        roll(1);
+        QVERIFY(angle_between(view.up(), Vec3(-1, 0, 0)) < 1e-9); // what was on the left is above
+        QVERIFY(angle_between(view.sight(), Vec3(0, 0, -1)) < 1e-9);
+        shot(w(), QStringLiteral("view-rolled"));
+        roll(-1);
+        QVERIFY(angle_between(view.up(), Vec3(0, 1, 0)) < 1e-9);
+        for (int i = 0; i < 4; ++i)
+            roll(-1);
+        QVERIFY(angle_between(view.up(), Vec3(0, 1, 0)) < 1e-9);
+        view.set_view(StandardView::iso);
         // Beside the cube the view is the view.
         QCOMPARE(view.childAt(view.view_cube()->pos() + QPoint(2, 2)), nullptr);
         QCOMPARE(view.childAt(view.view_cube()->geometry().center()), view.view_cube());
