@@ -28,6 +28,8 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("In a chart or the unrolled path"),
         QObject::tr("click or drag: the tool there; wheel: zoom; right drag: move; Home: all"));
     row(QObject::tr("0 … 6"), QObject::tr("isometric, front, top, right, rear, bottom, left"));
+    row(QObject::tr("Alt+1 … Alt+0"), QObject::tr("into the panels: project, parameters, report and so on"));
+    row(QObject::tr("M"), QObject::tr("measure"));
     row(QObject::tr("F5, Ctrl+P"), QObject::tr("plan"));
     row(QObject::tr("F6"), QObject::tr("verify"));
     row(QObject::tr("Space"), QObject::tr("play, pause"));

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QShortcut>
 #include <QTabBar>
 #include <QTimer>
 
@@ -29,6 +30,7 @@ void WindowDocks::add(const Place& place) {
     window_.addDockWidget(place.area, dock);
     if (!place.beside.isEmpty()) window_.tabifyDockWidget(docks_.at(place.beside), dock);
     if (place.hidden) dock->hide();
+    give_key(dock);
     if (!place.controller) return;
     connect(dock->toggleViewAction(), &QAction::triggered, this, [dock](bool on) {
         if (on) dock->raise();
@@ -43,6 +45,33 @@ void WindowDocks::add(const Place& place) {
                 controller->panel_seen(seen);
             });
     connect(place.controller, &Controller::offered, this, [this, dock] { bring_to_light(dock); });
+}
+
+void WindowDocks::give_key(QDockWidget* dock) {
+    const int number = int(docks_.size());
+    if (number > 10) return;
+    const QKeySequence key(Qt::ALT | Qt::Key(Qt::Key_0 + number % 10));
+    connect(new QShortcut(key, &window_), &QShortcut::activated, this,
+            [this, name = dock->objectName()] { enter(name); });
+    // Menus show it; the entry itself shows and hides the dock.
+    dock->toggleViewAction()->setText(dock->windowTitle() + QChar('\t')
+                                      + key.toString(QKeySequence::NativeText));
+}
+
+void WindowDocks::enter(const QString& name) {
+    QDockWidget* dock = docks_.at(name);
+    show(name);
+    const auto takes_keys = [](const QWidget* w) {
+        return w->isEnabled() && w->isVisibleTo(w->window()) && (w->focusPolicy() & Qt::TabFocus);
+    };
+    QWidget* content = dock->widget();
+    if (!takes_keys(content))
+        for (QWidget* child : content->findChildren<QWidget*>())
+            if (takes_keys(child)) {
+                content = child;
+                break;
+            }
+    content->setFocus(Qt::ShortcutFocusReason);
 }
 
 std::vector<QDockWidget*> WindowDocks::all() const {

@@ -32,6 +32,8 @@ public:
 
     void add(const Place& place);
     std::vector<QDockWidget*> all() const;
+    /// To the front, with the keys in it: Alt and its number, in the order in which docks were added.
+    void enter(const QString& name);
     /// Deletes all docks with what is in them.
     void clear();
     /// To the front.
@@ -46,6 +48,7 @@ public:
 
 private:
     void bring_to_light(QDockWidget* dock);
+    void give_key(QDockWidget* dock);
     bool make_room();
     void go_back();
     bool stands_right(QDockWidget* dock) const;

@@ -15,9 +15,11 @@
 #include "ui/viewport.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -257,6 +259,22 @@ private slots:
         const ui::Measurement right{Vec3(0, 0, 0), Vec3(3, 4, 12), 0.5 * pi};
         QCOMPARE(ui::measurement_text(right, LengthUnit::mm).replace(QChar(0xa0), QChar(' ')),
                  QStringLiteral("Distance 13 mm, X 3 mm, Y 4 mm, Z 12 mm; faces at 90°"));
+    }
+
+    /// Every panel is reached by a key, and takes keys then.
+    void panels_by_key() {
+        QVERIFY(open_part());
+        QVERIFY(activate(w()));
+        int number = 0;
+        for (const char* name :
+             {"project_dock", "properties_dock", "report_dock", "verification_dock", "cspace_dock",
+              "unrolled_dock", "strips_dock", "place_dock", "log_dock", "chart_dock"}) {
+            ++number;
+            const auto* dock = w().findChild<QDockWidget*>(QString::fromLatin1(name));
+            QTest::keyClick(&w(), Qt::Key(Qt::Key_0 + number % 10), Qt::AltModifier);
+            QVERIFY2(dock->isVisible() && !dock->visibleRegion().isEmpty(), name);
+            QVERIFY2(dock->isAncestorOf(QApplication::focusWidget()), name);
+        }
     }
 
     /// Messages lie over the view, whose picture stays where it is.
