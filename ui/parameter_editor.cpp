@@ -91,11 +91,14 @@ public:
                 shown.push_back(shown_number(v, info_, unit));
         else
             shown = {text(info_.value_text(value, unit))};
-        for (std::size_t i = 0; i < lines_.size() && i < shown.size(); ++i)
-            if (lines_[i]->text() != shown[i]) {
-                lines_[i]->setText(shown[i]);
-                lines_[i]->setCursorPosition(0);
-            }
+        for (std::size_t i = 0; i < lines_.size() && i < shown.size(); ++i) {
+            QLineEdit* line = lines_[i];
+            if (line->text() == shown[i] && !line->isModified()) continue;
+            // What was typed is the document's now: the line has nothing of its own to take back.
+            const int at = line->text() == shown[i] ? line->cursorPosition() : 0;
+            line->setText(shown[i]);
+            line->setCursorPosition(at);
+        }
     }
     QString entered() const override {
         QStringList parts;

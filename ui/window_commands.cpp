@@ -19,6 +19,7 @@
 #include "ui/start_hint.h"
 #include "ui/templates.h"
 #include "ui/text.h"
+#include "ui/undo_keys.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -265,6 +266,7 @@ void add_history(Commands& commands, MainWindow& w) {
     QAction* redo = w.document().undo_stack().createRedoAction(&w, tr("&Redo"));
     redo->setIcon(icon(Icon::redo));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    new UndoKeys(&w);
     for (const auto& [name, action] : {std::pair{"undo", undo}, std::pair{"redo", redo}}) {
         action->setObjectName(QLatin1String(name));
         commands.adopt(name, action);

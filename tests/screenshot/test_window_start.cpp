@@ -23,6 +23,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMouseEvent>
@@ -274,6 +275,33 @@ private slots:
             QTest::keyClick(&w(), Qt::Key(Qt::Key_0 + number % 10), Qt::AltModifier);
             QVERIFY2(dock->isVisible() && !dock->visibleRegion().isEmpty(), name);
             QVERIFY2(dock->isAncestorOf(QApplication::focusWidget()), name);
+        }
+    }
+
+    /// Ctrl+Z in a field takes back what was typed there, then what was done in the project.
+    void undo_from_a_field() {
+        QVERIFY(open_part());
+        QVERIFY(activate(w()));
+        w().tree().select({TreeNode::Kind::operation, 0});
+        for (const char* name : {"tolerance", "stepover"}) { // a line, a box with words
+            QLineEdit* line = field(w(), name);
+            const QString before = line->text();
+            enter(w(), name, QStringLiteral("0.03"));
+            QCOMPARE(w().document().undo_stack().index(), 1);
+            line = field(w(), name);
+            line->setFocus();
+            QTest::keyClick(line, Qt::Key_End);
+            QTest::keyClick(line, Qt::Key_7);
+            QCOMPARE(line->text(), QStringLiteral("0.037"));
+            QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+            QCOMPARE(line->text(), QStringLiteral("0.03"));
+            QCOMPARE(w().document().undo_stack().index(), 1);
+            QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY2(w().document().undo_stack().index() == 0, name);
+            QCOMPARE(field(w(), name)->text(), before);
+            QTest::keyClick(field(w(), name), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+            QCOMPARE(w().document().undo_stack().index(), 1);
+            w().document().undo_stack().undo();
         }
     }
 
