@@ -123,9 +123,13 @@ void MeasureController::take(const PartPick& pick) {
     if (points_.size() == 2) clear();
     points_.push_back(snapped_point(viewport_, *document_.part()->mesh, pick));
     normals_.push_back(pick.back_side ? Vec3(-pick.normal) : pick.normal);
+    show();
+    if (const auto m = measured()) messages_.show(measurement_text(*m, document_.unit()) + QChar('.'));
+}
+
+void MeasureController::show() {
     const auto m = measured();
     overlay_->set(points_, m ? shown_length((m->to - m->from).norm(), document_.unit()) : QString());
-    if (m) messages_.show(measurement_text(*m, document_.unit()) + QChar('.'));
 }
 
 std::optional<Measurement> MeasureController::measured() const {

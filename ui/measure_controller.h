@@ -33,6 +33,7 @@ public:
     std::optional<Measurement> measured() const;
 
     void project_opened() override { set_active(false); }
+    void project_changed() override { show(); } // it may have another unit
     void part_changed() override { clear(); }
     /// Esc ends it.
     bool take_key(const QKeyEvent& event) override;
@@ -45,6 +46,7 @@ signals:
 
 private:
     void take(const PartPick& pick);
+    void show();
     void clear();
 
     Document& document_;

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include <utility>
 
@@ -38,6 +39,7 @@ QString with_short_words(const QString& message) {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("message_bar"));
+    setAttribute(Qt::WA_NoMousePropagation); // what is clicked here is not meant for the view below
     setAutoFillBackground(true);
     icon_ = new QLabel(this);
     text_ = new QLabel(this);
@@ -85,6 +87,10 @@ void MessageBar::show_message(Kind kind, const QString& message) {
 void MessageBar::place() {
     const int width = parentWidget()->width();
     setGeometry(0, 0, width, layout()->totalHeightForWidth(width));
+}
+
+void MessageBar::wheelEvent(QWheelEvent* event) {
+    event->accept();
 }
 
 bool MessageBar::eventFilter(QObject* object, QEvent* event) {

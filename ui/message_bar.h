@@ -42,6 +42,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
 
 private:
     /// As wide as the parent, as high as the words need.

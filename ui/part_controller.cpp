@@ -67,9 +67,11 @@ void PartController::reload() {
             if (auto rest = planners->known_rest(project)) planner->carry(std::move(rest));
             *loaded = load_part(*planner, project, p);
         },
-        [this, loaded, first, key = tried_](const JobEnd& end) {
+        [this, loaded, first, key = tried_, reading_now = ++readings_](const JobEnd& end) {
             if (end.how == JobEnd::How::cancelled && tried_ == key) tried_.clear();
-            if (!end.done()) return say_instead(tr("The part was not read"));
+            // One that gave way to another says nothing of that.
+            if (!end.done() && reading_now == readings_) say_instead(tr("The part was not read"));
+            if (!end.done()) return;
             show(*loaded, first);
             // Beside that, what is wrong with the stock would not be seen.
             if (const QString change = taken_change(); !change.isEmpty())
@@ -182,6 +184,7 @@ void PartController::node_chosen(const std::optional<TreeNode>& node) {
 }
 
 void PartController::project_opened() {
+    ++readings_; // what is read now is the part of another project
     tried_.clear();
     wanted_ = false;
     part_file_ = stock_file_ = {};

@@ -72,6 +72,7 @@ private:
     PartDisplayPtr display_;          ///< as shown
     StockShapePtr stock_mesh_;        ///< as read with the part
     MeshFile part_file_, stock_file_; ///< as shown
+    int readings_ = 0;                ///< so many were begun
     QStringList changes_;
     bool part_replaced_ = false; ///< some of them are the part's
     bool wanted_ = false;        ///< the document's part was to be read since it was opened

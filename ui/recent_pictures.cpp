@@ -69,7 +69,7 @@ void RecentPictures::keep() {
     const std::filesystem::path file = project.path.empty() ? project.part_path() : project.path;
     const bool planned = document_.all_planned();
     if (std::exchange(last_, {file, planned}) == std::pair(file, planned)) return;
-    keep_recent_picture(path_text(file), viewport_.grab());
+    keep_recent_picture(path_text(file), QPixmap::fromImage(viewport_.picture()));
 }
 
 } // namespace facetmill::ui

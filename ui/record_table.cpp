@@ -82,16 +82,21 @@ void RecordTable::set_records(const ParameterRecords& records) {
 
 void RecordTable::add_row() {
     records_.all.push_back(new_record_(records_));
-    show();
-    emit edited();
+    filling_ = true;
+    table_->insertRow(table_->rowCount());
+    show_row(table_->rowCount() - 1, records_.all.back());
+    filling_ = false;
+    read(); // cells that cannot be read yet stand as they are
 }
 
 void RecordTable::remove_row() {
-    if (records_.all.empty()) return;
+    if (table_->rowCount() == 0) return;
     const int row = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
-    records_.all.erase(records_.all.begin() + row);
-    show();
-    emit edited();
+    if (std::size_t(row) < records_.all.size()) records_.all.erase(records_.all.begin() + row);
+    filling_ = true;
+    table_->removeRow(row);
+    filling_ = false;
+    read();
 }
 
 QString RecordTable::shown(const ParameterValue& value, const ParameterInfo& field) const {
@@ -100,23 +105,33 @@ QString RecordTable::shown(const ParameterValue& value, const ParameterInfo& fie
     return text(field.value_text(value, unit_));
 }
 
-ParameterValue RecordTable::entered(const QString& entry, const ParameterInfo& field) const {
+/// What nobody touched keeps all its digits.
+ParameterValue RecordTable::entered(int row, int column, const QString& entry) const {
+    const ParameterInfo& field = *fields_[std::size_t(column)];
+    if (std::size_t(row) < records_.all.size()) {
+        const ParameterValue& before = records_.all[std::size_t(row)][std::size_t(column)];
+        if (entry == shown(before, field)) return before;
+    }
     if (may_be_unsaid(field) && entry.trimmed().isEmpty()) return field.default_value;
     const ParameterValue value = read_entered(field, entry, unit_, {});
     field.check(value, unit_);
     return value;
 }
 
+void RecordTable::show_row(int row, const std::vector<ParameterValue>& record) {
+    for (int k = 0; k < table_->columnCount(); ++k) {
+        const ParameterInfo& field = *fields_[std::size_t(k)];
+        auto* item = new QTableWidgetItem(shown(record[std::size_t(k)], field));
+        if (field.kind != ParameterKind::text) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        table_->setItem(row, k, item);
+    }
+}
+
 void RecordTable::show() {
     filling_ = true;
     table_->setRowCount(int(records_.all.size()));
     for (int row = 0; row < table_->rowCount(); ++row)
-        for (int k = 0; k < table_->columnCount(); ++k) {
-            const ParameterInfo& field = *fields_[std::size_t(k)];
-            auto* item = new QTableWidgetItem(shown(records_.all[std::size_t(row)][std::size_t(k)], field));
-            if (field.kind != ParameterKind::text) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            table_->setItem(row, k, item);
-        }
+        show_row(row, records_.all[std::size_t(row)]);
     problem_.clear();
     filling_ = false;
 }
@@ -131,7 +146,7 @@ void RecordTable::read() {
             const ParameterInfo& field = *fields_[std::size_t(k)];
             QTableWidgetItem* item = table_->item(row, k);
             try {
-                record.push_back(entered(item ? item->text() : QString(), field));
+                record.push_back(entered(row, k, item ? item->text() : QString()));
                 if (!item) continue;
                 item->setForeground(QBrush());
                 item->setText(shown(record.back(), field));

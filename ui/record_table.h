@@ -41,12 +41,13 @@ signals:
 
 private:
     void show();
+    void show_row(int row, const std::vector<ParameterValue>& record);
     void read();
     void add_row();
     void remove_row();
     /// Empty for a number that nobody has said.
     QString shown(const ParameterValue& value, const ParameterInfo& field) const;
-    ParameterValue entered(const QString& text, const ParameterInfo& field) const;
+    ParameterValue entered(int row, int column, const QString& entry) const;
 
     std::vector<const ParameterInfo*> fields_;
     LengthUnit unit_;

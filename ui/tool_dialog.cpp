@@ -37,6 +37,8 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
         tool = tools[*index];
     } else {
         if (!tools.empty()) tool = tools.back();
+        tool.flutes = 0; // how that one is run says nothing of another size
+        tool.cutting.clear();
         tool.number = document.free_tool_number();
         tool.name = usual_tool_name(tool, document.unit());
     }
@@ -186,7 +188,7 @@ void ToolDialog::list_holders(QMenu& menu) {
         const QString named = holder.name.empty() ? tr("Holder %1").arg(listed.size()) : text(holder.name);
         menu.addAction(elided(named, 48), this, [this, outline = holder.outline] {
             edit_.set_holder(holder_steps(outline));
-            show_lists();
+            holder_->set_records(holder_list.values(tool().holder));
             validate();
         });
     }

@@ -15,6 +15,7 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <functional>
 
 namespace facetmill::ui {
 
@@ -48,13 +49,19 @@ QMenu* ViewMenu::make(const QPoint& global) {
 
 void ViewMenu::add_part(QMenu& menu, const PartPick& pick) {
     PlaceController& place = window_.controllers().place();
+    // The file may be read anew while the menu is open: what was clicked is a facet of this part.
+    const auto on = [this, part = window_.document().part()](const std::function<void()>& act) {
+        return [this, part, act] {
+            if (window_.document().part() == part && window_.document().part_is_current()) act();
+        };
+    };
     menu.addAction(icon(Icon::lay_on_face), tr("Lay on this face"), this,
-                   [&place, pick] { place.lay_on(pick); })
+                   on([&place, pick] { place.lay_on(pick); }))
         ->setToolTip(tr("The face under the pointer comes down on the table"));
-    menu.addAction(tr("Zero here"), this, [&place, pick] { place.zero_at(pick); })
+    menu.addAction(tr("Zero here"), this, on([&place, pick] { place.zero_at(pick); }))
         ->setToolTip(tr("Programs count from here; a corner or an edge nearby is taken exactly"));
     QAction* bound = menu.addAction(icon(Icon::boundary), tr("Boundary of this face"), this,
-                                    [this, pick] { bound_face(pick); });
+                                    on([this, pick] { bound_face(pick); }));
     bound->setToolTip(tr("All facets up to sharp edges, as a boundary for operations"));
     bound->setEnabled(!window_.job().running()); // it would end that
     menu.addSeparator();

@@ -288,7 +288,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
+    // Two drags in quick succession, and a second button during one.
+    if (event->button() != Qt::LeftButton || drag_) return mousePressEvent(event);
     if (!tool_)
         fit();
     else if (!tool_->double_click(event->position()))

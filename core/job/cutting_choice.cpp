@@ -1,5 +1,7 @@
 #include "core/job/cutting_choice.h"
 
+#include "core/job/project.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,8 @@ namespace facetmill {
 
 namespace {
 
-/// Feeds that went through a file's unit are the same again.
-constexpr double same_share = 1e-9;
+/// Feeds that went through a file's unit, or through a form's digits, are the same again.
+constexpr double same_share = 1e-6;
 
 bool same(double a, double b) {
     return std::abs(a - b) <= same_share * std::max(std::abs(a), std::abs(b));
@@ -29,10 +31,9 @@ void set_if_said(Operation& operation, const char* key, double value) {
 }
 
 bool runs_as_it_began(const Operation& operation) {
-    const auto begins = [&](const char* key) {
-        return operation.get(key) == operation.parameter(key).default_value;
-    };
-    return begins("feed") && begins("spindle");
+    const double feed = operation.common().feed;
+    return (same(feed, starting_feed(LengthUnit::mm)) || same(feed, starting_feed(LengthUnit::inch)))
+           && operation.get("spindle") == operation.parameter("spindle").default_value;
 }
 
 } // namespace
@@ -42,13 +43,10 @@ double cutting_feed(const Tool& tool, const CuttingData& data) {
 }
 
 const CuttingData* cutting_for(const Tool& tool, const std::string& material) {
-    const CuttingData* first = nullptr;
-    for (const CuttingData& data : tool.cutting) {
-        if (!is_complete(tool, data)) continue;
-        if (data.material == material) return &data;
-        if (!first) first = &data;
-    }
-    return first;
+    const auto found = std::find_if(tool.cutting.begin(), tool.cutting.end(), [&](const CuttingData& data) {
+        return is_complete(tool, data) && (material.empty() || data.material == material);
+    });
+    return found != tool.cutting.end() ? &*found : nullptr;
 }
 
 void run_by(Operation& operation, const Tool& tool, const CuttingData& data) {

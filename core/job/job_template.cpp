@@ -49,6 +49,15 @@ Boundary placeholder(const std::string& name) {
     return b;
 }
 
+/// Control, files and arcs of the one; zero, work coordinate system and numbers, which belong to a part in
+/// its vice and to the programs beside, of the other.
+ProgramSpec with_programs_of(const ProgramSpec& from, ProgramSpec to) {
+    to.post = from.post;
+    to.files = from.files;
+    to.arcs = from.arcs;
+    return to;
+}
+
 std::string counted(std::size_t n, const char* one, const char* several) {
     return std::to_string(n) + " " + (n == 1 ? one : several);
 }
@@ -99,7 +108,7 @@ private:
     void take_settings() {
         Project& p = applied_.project;
         p.machine = kept_.machine;
-        p.programs = kept_.programs;
+        p.programs = with_programs_of(kept_.programs, p.programs);
         p.limits = kept_.limits;
         // What the setups before left is the stock, whatever a template says.
         if (p.stock.kind == StockSpec::Kind::rest)
@@ -147,7 +156,7 @@ std::string template_text(const Project& project) {
     kept.part.unit = project.unit;
     kept.limits = project.limits;
     kept.stock = general_stock(project.stock);
-    kept.programs = project.programs;
+    kept.programs = with_programs_of(project.programs, ProgramSpec());
     kept.machine = is_machine_file(project.machine) ? project.machine_path().string() : project.machine;
     if (is_post_file(project.programs.post)) kept.programs.post = project.post_path().string();
     std::vector<long> used;

@@ -20,7 +20,7 @@ struct AppliedTemplate {
 };
 
 /// The project with the template's operations in place of those of the shown setup, its stock, machine,
-/// programs and limits, and its tools beside those that are still used. Boundaries that
+/// control and limits, and its tools beside those that are still used. Boundaries that
 /// any part has come along, the others are taken by their names where the setup has them. `name` is what
 /// messages call the template. Throws what parse_project does.
 AppliedTemplate apply_template(std::string_view text, const std::string& name, const Project& project);

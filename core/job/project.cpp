@@ -516,6 +516,10 @@ double allowed(double v, const ParameterInfo& info) {
 
 } // namespace
 
+double starting_feed(LengthUnit unit) {
+    return unit == LengthUnit::inch ? 40 * mm_per(LengthUnit::inch) : OperationCommon().feed;
+}
+
 Project default_project(const fs::path& part_file, LengthUnit part_unit, const Box3& part_box) {
     const LengthUnit unit = project_unit(part_unit);
     const double per = mm_per(unit);
@@ -547,7 +551,7 @@ Project default_project(const fs::path& part_file, LengthUnit part_unit, const B
     common.name = "Finish";
     common.tool = tool.number;
     common.tolerance = round_down(std::min(diagonal / 4000, diameter / 100)) * per;
-    common.feed = (unit == LengthUnit::inch ? 40 : 1000) * per;
+    common.feed = starting_feed(unit);
     common.spindle = 6000;
     // Less than that is no clearance for the hand that sets the zero.
     const double least = unit == LengthUnit::inch ? 0.05 : 1;

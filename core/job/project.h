@@ -108,6 +108,8 @@ void check_project(const Project& project);
 /// unknown_key, wrong_type, out_of_range); nothing changes then.
 void apply_setting(Project& project, std::string_view setting);
 
+/// Feed of the operations of a new project, mm/min: a round number of its unit.
+double starting_feed(LengthUnit unit);
 /// A new project around a part with one sensible tool and one finish3 operation for its size; `unit` is that
 /// of the part's file.
 Project default_project(const std::filesystem::path& part_file, LengthUnit unit, const Box3& part_box);

@@ -55,15 +55,17 @@ CuttingData read_preset(LooseObject preset, LengthUnit unit, ToolRemarks& remark
     c.feed = preset.length("v_f", unit).value_or(0);
     c.plunge_feed = preset.length("v_f_plunge", unit).value_or(0);
     c.chip_load = preset.length("f_z", unit).value_or(0);
-    c.stepover = preset.length("stepover", unit).value_or(0);
-    c.depth = preset.length("stepdown", unit).value_or(0);
+    // A number that is switched off is none.
+    const double stepover = preset.length("stepover", unit).value_or(0),
+                 depth = preset.length("stepdown", unit).value_or(0);
+    if (preset.text("use-stepover") != "false") c.stepover = stepover;
+    if (preset.text("use-stepdown") != "false") c.depth = depth;
     LooseObject material = preset.object("material");
     c.material = material.text("query");
     material.drop({"category", "use-hardness"});
     remarks.not_carried(material);
     // The speed of an edge and the feed of a turn follow from what is carried.
-    preset.drop(
-        {"guid", "v_c", "f_n", "use-stepover", "use-stepdown", "description", "use-feed-per-revolution"});
+    preset.drop({"guid", "v_c", "f_n", "description", "use-feed-per-revolution"});
     remarks.not_carried(preset);
     return c;
 }
@@ -214,6 +216,8 @@ Json preset_json(const CuttingData& c, double per) {
             {"name", c.name},
             {"stepdown", json_number(c.depth / per, "stepdown")},
             {"stepover", json_number(c.stepover / per, "stepover")},
+            {"use-stepdown", c.depth > 0},
+            {"use-stepover", c.stepover > 0},
             {"v_f", json_number(c.feed / per, "v_f")},
             {"v_f_plunge", json_number(c.plunge_feed / per, "v_f_plunge")}};
 }

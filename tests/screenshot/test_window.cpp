@@ -411,6 +411,13 @@ private slots:
         table->item(1, 3)->setText(QStringLiteral("quick"));
         QVERIFY(!ok->isEnabled() && dialog->problem().contains(QStringLiteral("row 2, feed")));
         shot(*dialog, QStringLiteral("dialog-tool-feeds"));
+        // Rows come and go, and what cannot be read stays to be mended.
+        QTest::mouseClick(add, Qt::LeftButton);
+        QCOMPARE(table->item(1, 3)->text(), QStringLiteral("quick"));
+        QVERIFY(!ok->isEnabled());
+        table->setCurrentCell(2, 0);
+        QTest::mouseClick(dialog->findChild<QToolButton*>(QStringLiteral("remove_cutting")), Qt::LeftButton);
+        QCOMPARE(table->rowCount(), 2);
         table->item(1, 3)->setText(QStringLiteral("20"));
         QVERIFY2(ok->isEnabled(), qPrintable(dialog->problem()));
         QTest::mouseClick(ok, Qt::LeftButton);
@@ -431,6 +438,11 @@ private slots:
         shot(w(), QStringLiteral("window-feeds"));
         w().document().undo_stack().undo();
         QCOMPARE(choice->text(), QStringLiteral("Feeds of the tool"));
+        // A new tool like the last one is not run like it.
+        w().tree().add_tool_action()->trigger();
+        QTRY_VERIFY(w().findChild<ui::ToolDialog*>() && w().findChild<ui::ToolDialog*>() != dialog);
+        QVERIFY(w().findChild<ui::ToolDialog*>()->tool().cutting.empty());
+        w().findChild<ui::ToolDialog*>()->reject();
         w().tree().select({TreeNode::Kind::stock, 0});
         QVERIFY(!choice->isVisible());
     }

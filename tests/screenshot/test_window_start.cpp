@@ -30,6 +30,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -316,6 +317,12 @@ private slots:
         QCOMPARE(w().viewport().geometry(), before);
         QVERIFY(w().viewport().rect().contains(w().message_bar().geometry()));
         shot(w(), QStringLiteral("start-message"));
+        // A click on it is not one on the part below.
+        QSignalSpy picked(&w().viewport(), &ui::Viewport::part_picked),
+            missed(&w().viewport(), &ui::Viewport::nothing_picked);
+        QTest::mouseClick(w().message_bar().findChild<QLabel*>(), Qt::LeftButton);
+        QTest::mouseClick(&w().message_bar(), Qt::LeftButton, {}, QPoint(3, 3));
+        QCOMPARE(picked.count() + missed.count(), 0);
         w().resize(700, 600);
         QApplication::processEvents();
         QCOMPARE(w().message_bar().width(), w().viewport().width());

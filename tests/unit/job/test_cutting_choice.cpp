@@ -48,7 +48,7 @@ private slots:
             known_tool(1, 6, {run("Foam", 0, 500), run("Wood", 9000, 800), run("Steel", 4000, 300)});
         QCOMPARE(cutting_for(tool)->material, std::string("Wood")); // the first that says enough
         QCOMPARE(cutting_for(tool, "Steel")->material, std::string("Steel"));
-        QCOMPARE(cutting_for(tool, "Foam")->material, std::string("Wood"));
+        QVERIFY(!cutting_for(tool, "Foam") && !cutting_for(tool, "Ice")); // never those of another material
         QVERIFY(!cutting_for(known_tool(1, 6, {run("Foam", 0, 500)})));
     }
 
@@ -96,6 +96,18 @@ private slots:
         QCOMPARE(operation->common().feed, 200.0);
         change_tool(*operation, tools, 1);
         QCOMPARE(operation->common().feed, 200.0); // it ran by no data of the one before
+        // Feeds for another material are not taken in silence.
+        run_by(*operation, tools[0], tools[0].cutting[1]);
+        const std::vector<Tool> more = {tools[0], known_tool(4, 5, {run("Foam", 24000, 6000)})};
+        change_tool(*operation, more, 4);
+        QCOMPARE(operation->common().feed, 300.0);
+        // What a project in inches begins with is a beginning, too.
+        change_tool(*operation, tools, 1);
+        operation->set("feed", 40 * 25.4);
+        operation->set("spindle", operation->parameter("spindle").default_value);
+        change_tool(*operation, more, 4);
+        QCOMPARE(operation->common().feed, 6000.0);
+        change_tool(*operation, tools, 1);
         operation->set("feed", 777.0);
         change_tool(*operation, tools, 2);
         QCOMPARE(operation->common().feed, 777.0);

@@ -63,7 +63,13 @@ class TestJobTemplate : public QObject {
     Q_OBJECT
 private slots:
     void another_part_takes_operations_tools_and_settings_over() {
-        const Project from = relief(), to = other_part();
+        Project from = relief(), to = other_part();
+        from.programs.zero = {37, 12, 8};
+        from.programs.wcs = "G57";
+        from.programs.number = 40;
+        to.programs.zero_from = ProgramSpec::ZeroFrom::stock;
+        to.programs.zero = {1, 2, 3};
+        to.programs.number = 7;
         const std::string text = template_text(from);
         QCOMPARE(template_summary(text, "t"), std::string("2 operations, 2 tools"));
         QVERIFY(text.find("relief") == std::string::npos);
@@ -74,6 +80,9 @@ private slots:
         QVERIFY(p.unit == LengthUnit::inch);
         QCOMPARE(p.machine, from.machine);
         QCOMPARE(p.programs.post, from.programs.post);
+        // Where the part is clamped, and what its programs are called, is its own.
+        QVERIFY(p.programs.zero_from == to.programs.zero_from && p.programs.zero == to.programs.zero);
+        QVERIFY(p.programs.wcs == to.programs.wcs && p.programs.number == 7);
         QCOMPARE(p.limits, from.limits);
         for (std::size_t k = 0; k < 3; ++k)
             QVERIFY(std::abs(p.stock.margin[k] - from.stock.margin[k]) < 1e-12);

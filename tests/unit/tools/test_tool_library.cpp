@@ -267,6 +267,17 @@ private slots:
                  std::string("empty_result"));
     }
 
+    void numbers_that_are_switched_off_are_none() {
+        const ReadLibrary read = read_library(R"({"data": [{"type": "flat end mill", "unit": "millimeters",
+            "description": "F6", "geometry": {"DC": 6, "LCF": 20}, "start-values": {"presets": [
+            {"name": "P", "n": 8000, "v_f": 400, "use-stepdown": false, "stepdown": 25, "use-stepover": true,
+             "stepover": 2}]}}]})",
+                                              "shop.json", LengthUnit::mm);
+        const CuttingData& data = read.library.tools.at(0).tool.cutting.at(0);
+        QCOMPARE(data.depth, 0.0);
+        QCOMPARE(data.stepover, 2.0);
+    }
+
     void what_nobody_can_run_by_is_left_out_and_the_tool_kept() {
         const ReadLibrary read = read_library(R"({"data": [{"type": "flat end mill", "unit": "millimeters",
             "description": "F6", "geometry": {"DC": 6, "LCF": 20, "NOF": 5000},
