@@ -1,5 +1,7 @@
 #include "ui/tool_list.h"
 
+#include "core/job/asked_operations.h"
+
 #include <algorithm>
 
 namespace facetmill::ui {
@@ -31,9 +33,8 @@ void remove_tool(Document& document, std::size_t i) {
     const Project& project = document.project();
     const Tool& tool = project.tools.at(i);
     for (const Operation* o : all_operations(project))
-        if (const auto further = o->further_tools();
-            o->common().tool == tool.number
-            || std::find(further.begin(), further.end(), tool.number) != further.end())
+        if (const auto numbers = tools_of(*o);
+            std::find(numbers.begin(), numbers.end(), tool.number) != numbers.end())
             throw Error(ErrorCode::missing_reference, "tool " + std::to_string(tool.number),
                         "operation '" + o->common().name + "' uses this tool",
                         "give the operation another tool first");

@@ -31,6 +31,25 @@ std::vector<long> tools_of(const Operation& operation) {
     return numbers;
 }
 
+std::vector<long> tools_of(const Setup& setup) {
+    std::vector<long> numbers;
+    for (const auto& o : setup.operations) {
+        const std::vector<long> its = tools_of(*o);
+        numbers.insert(numbers.end(), its.begin(), its.end());
+    }
+    return numbers;
+}
+
+std::vector<const ParameterInfo*> forget_places(Operation& operation) {
+    std::vector<const ParameterInfo*> held;
+    for (const ParameterInfo* info : operation.parameters())
+        if (info->kind == ParameterKind::records && operation.get(info->key) != info->empty_list()) {
+            operation.set(info->key, info->empty_list());
+            held.push_back(info);
+        }
+    return held;
+}
+
 void refuse_operation(const std::string& name, const std::vector<std::string>& names) {
     const std::string near = nearest_name(name, names);
     throw Error(ErrorCode::missing_reference, "operations", "there is no operation '" + printable(name) + "'",

@@ -26,6 +26,11 @@ std::vector<AskedOperation> asked_operations(const Project& project,
 std::string task_text(const std::string& operation, std::size_t i, std::size_t n);
 /// Numbers of all tools that an operation uses or asks about, its own first.
 std::vector<long> tools_of(const Operation& operation);
+/// Those of all operations of a setup, a number as often as it is named.
+std::vector<long> tools_of(const Setup& setup);
+/// Empties the lists of an operation: postures and regions that were kept for places of a part. Returns those
+/// that held something.
+std::vector<const ParameterInfo*> forget_places(Operation& operation);
 
 /// Throws Error(missing_reference): there is no operation of this name among `names`.
 [[noreturn]] void refuse_operation(const std::string& name, const std::vector<std::string>& names);

@@ -94,12 +94,9 @@ private:
     }
 
     void leave_places(Operation& operation) {
-        for (const ParameterInfo* info : operation.parameters())
-            if (info->kind == ParameterKind::records && operation.get(info->key) != info->empty_list()) {
-                operation.set(info->key, info->empty_list());
-                pasted_.remarks.push_back("'" + printable(operation.common().name) + "': '" + info->label
-                                          + "' belongs to places of another part and was left behind");
-            }
+        for (const ParameterInfo* info : forget_places(operation))
+            pasted_.remarks.push_back("'" + printable(operation.common().name) + "': '" + info->label
+                                      + "' belongs to places of another part and was left behind");
     }
 
     const Project &from_, &to_;

@@ -20,10 +20,9 @@ bool is_place(const ParameterInfo& info) {
 }
 
 void leave_places(Operation& operation) {
-    for (const ParameterInfo* info : operation.parameters()) {
-        if (info->kind == ParameterKind::records) operation.set(info->key, info->empty_list());
+    forget_places(operation);
+    for (const ParameterInfo* info : operation.parameters())
         if (is_place(*info)) operation.set(info->key, info->default_value);
-    }
     // A turning axis by points is one of that part.
     if (operation.turning() && operation.get("axis") == ParameterValue(std::string("points")))
         operation.set("axis", operation.parameter("axis").default_value);
@@ -43,7 +42,7 @@ bool serves_others(const Boundary& b) {
 }
 
 /// Operations may name it, and it is none: facets of no part.
-Boundary placeholder(const std::string& name) {
+Boundary without_facets(const std::string& name) {
     Boundary b;
     b.name = name;
     return b;
@@ -64,12 +63,12 @@ std::string counted(std::size_t n, const char* one, const char* several) {
 
 std::vector<long> used_tools(const Project& project) {
     std::vector<long> used;
-    for (const Operation* o : all_operations(project))
-        for (const long number : tools_of(*o))
-            used.push_back(number);
-    for (std::size_t i = 0; i < setup_count(project); ++i)
+    for (std::size_t i = 0; i < setup_count(project); ++i) {
+        const std::vector<long> its = tools_of(setup_at(project, i));
+        used.insert(used.end(), its.begin(), its.end());
         for (const Boundary& b : setup_at(project, i).boundaries)
             used.push_back(b.tool);
+    }
     return used;
 }
 
@@ -92,10 +91,7 @@ private:
     /// And the tools that nothing else uses: those of the template may have their numbers then.
     void remove_operations() {
         Project& p = applied_.project;
-        std::vector<long> freed;
-        for (const auto& o : p.operations)
-            for (const long number : tools_of(*o))
-                freed.push_back(number);
+        const std::vector<long> freed = tools_of(p);
         p.operations.clear();
         const std::vector<long> used = used_tools(p);
         const auto holds = [](const std::vector<long>& list, long number) {
@@ -159,17 +155,15 @@ std::string template_text(const Project& project) {
     kept.programs = with_programs_of(project.programs, ProgramSpec());
     kept.machine = is_machine_file(project.machine) ? project.machine_path().string() : project.machine;
     if (is_post_file(project.programs.post)) kept.programs.post = project.post_path().string();
-    std::vector<long> used;
     for (const auto& o : project.operations) {
         kept.operations.push_back(o->clone());
         leave_places(*kept.operations.back());
-        for (const long number : tools_of(*o))
-            used.push_back(number);
     }
+    const std::vector<long> used = tools_of(kept);
     for (const Tool& t : project.tools)
         if (std::find(used.begin(), used.end(), t.number) != used.end()) kept.tools.push_back(t);
     for (const Boundary& b : project.boundaries)
-        kept.boundaries.push_back(serves_others(b) ? b : placeholder(b.name));
+        kept.boundaries.push_back(serves_others(b) ? b : without_facets(b.name));
     return project_to_json(kept);
 }
 

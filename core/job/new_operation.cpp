@@ -1,5 +1,6 @@
 #include "core/job/new_operation.h"
 
+#include "core/job/asked_operations.h"
 #include "core/job/cutting_choice.h"
 #include "core/setup/tool_edit.h"
 
@@ -61,8 +62,7 @@ private:
     /// Postures were kept for contact points of that one, regions edited by hand were its.
     void take_from(const Operation& like) {
         made_.operation = like.clone();
-        for (const ParameterInfo* info : made_.operation->parameters())
-            if (info->kind == ParameterKind::records) made_.operation->set(info->key, info->empty_list());
+        forget_places(*made_.operation);
     }
 
     /// The one before it where it will stand, else the one after; null where there is none.
