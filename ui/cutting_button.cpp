@@ -55,8 +55,8 @@ void CuttingButton::list(QMenu& menu) {
     const CuttingData* now = runs_by(document_.operation(*operation_), *known);
     const LengthUnit unit = document_.unit();
     for (const CuttingData& one : known->cutting) {
+        if (!is_complete(*known, one)) continue;
         const double feed = cutting_feed(*known, one);
-        if (!(feed > 0 && one.spindle > 0)) continue;
         QAction* action = menu.addAction(tr("%1: %2 rpm, %3 %4")
                                              .arg(name_of(one), ui::text(format_number(one.spindle)),
                                                   ui::text(format_number(feed / mm_per(unit), 5)),

@@ -16,18 +16,13 @@ bool same(double a, double b) {
     return std::abs(a - b) <= same_share * std::max(std::abs(a), std::abs(b));
 }
 
-bool is_complete(const Tool& tool, const CuttingData& data) {
-    return data.spindle > 0 && cutting_feed(tool, data) > 0;
-}
-
 void set_if_said(Operation& operation, const char* key, double value) {
     if (!(value > 0) || !operation.has(key)) return;
     try {
-        operation.parameter(key).check(value);
+        operation.set(key, value);
     } catch (const Error&) {
-        return;
+        // No operation may have it: what there is stays.
     }
-    operation.set(key, value);
 }
 
 bool runs_as_it_began(const Operation& operation) {
@@ -40,6 +35,10 @@ bool runs_as_it_began(const Operation& operation) {
 
 double cutting_feed(const Tool& tool, const CuttingData& data) {
     return data.feed > 0 ? data.feed : data.spindle * double(tool.flutes) * data.chip_load;
+}
+
+bool is_complete(const Tool& tool, const CuttingData& data) {
+    return data.spindle > 0 && cutting_feed(tool, data) > 0;
 }
 
 const CuttingData* cutting_for(const Tool& tool, const std::string& material) {

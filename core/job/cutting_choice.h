@@ -12,8 +12,10 @@ namespace facetmill {
 /// Feed of cuts, mm/min: as it is said, else spindle times flutes times chip load; 0 where that is unsaid,
 /// too.
 double cutting_feed(const Tool& tool, const CuttingData& data);
-/// The data for this material, or the first where none is named, of those that say spindle and feed; null
-/// where none does.
+/// They say spindle and feed: an operation can run by them.
+bool is_complete(const Tool& tool, const CuttingData& data);
+/// The data for this material, or the first where none is named, of those that are complete; null where none
+/// is.
 const CuttingData* cutting_for(const Tool& tool, const std::string& material = {});
 
 /// Spindle, feed and ramp feed of an operation, of roughing also depth and step-over, as far as they are
