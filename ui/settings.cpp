@@ -23,12 +23,6 @@ QString key_of(const QString& path) {
     return QString::fromLatin1(QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex());
 }
 
-std::optional<LengthUnit> unit_of(const QString& name) {
-    for (const LengthUnit unit : mesh_units)
-        if (name == text(unit_name(unit))) return unit;
-    return std::nullopt;
-}
-
 } // namespace
 
 QStringList recent_files() {
@@ -53,7 +47,7 @@ void remove_recent_file(const QString& path) {
 std::optional<LengthUnit> remembered_unit(const QString& path) {
     QSettings s;
     s.beginGroup(QStringLiteral("units"));
-    return unit_of(s.value(key_of(path)).toString());
+    return mesh_unit_of(s.value(key_of(path)).toString());
 }
 
 void remember_unit(const QString& path, LengthUnit unit) {
@@ -69,7 +63,7 @@ UsualProject usual_project() {
     s.beginGroup(QStringLiteral("new_project"));
     UsualProject usual{utf8(s.value(QStringLiteral("machine")).toString()),
                        utf8(s.value(QStringLiteral("post")).toString()),
-                       unit_of(s.value(QStringLiteral("unit")).toString())};
+                       mesh_unit_of(s.value(QStringLiteral("unit")).toString())};
     return usual;
 }
 

@@ -43,6 +43,12 @@ QString mesh_filters() {
     return filters.join(QStringLiteral(";;"));
 }
 
+std::optional<LengthUnit> mesh_unit_of(const QString& name) {
+    for (const LengthUnit unit : mesh_units)
+        if (name == text(unit_name(unit))) return unit;
+    return std::nullopt;
+}
+
 QString shown_length(double mm, LengthUnit unit, int digits) {
     return text(format_number(mm / mm_per(unit), digits)) + QChar(0x00A0) + text(unit_name(unit));
 }

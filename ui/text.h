@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,8 @@ std::filesystem::path path_of(const QString& text);
 
 /// "*.stl *.STL *.obj *.OBJ": the names of mesh files, for a file dialog.
 QString mesh_patterns();
+/// The unit of this name that a mesh may be in; none for other texts.
+std::optional<LengthUnit> mesh_unit_of(const QString& name);
 /// The filters of a file dialog for a mesh: all formats together, each by itself, and all files.
 QString mesh_filters();
 

@@ -38,11 +38,8 @@ UsualProjectBox::UsualProjectBox(QWidget* parent) : QWidget(parent) {
 }
 
 settings::UsualProject UsualProjectBox::usual() const {
-    settings::UsualProject usual{utf8(machine_->currentData().toString()),
-                                 utf8(post_->currentData().toString()), std::nullopt};
-    for (const LengthUnit unit : mesh_units)
-        if (unit_->currentData().toString() == text(unit_name(unit))) usual.unit = unit;
-    return usual;
+    return {utf8(machine_->currentData().toString()), utf8(post_->currentData().toString()),
+            mesh_unit_of(unit_->currentData().toString())};
 }
 
 void UsualProjectBox::set_usual(const settings::UsualProject& usual) {
