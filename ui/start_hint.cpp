@@ -90,8 +90,6 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     column->addWidget(text_);
     column->addLayout(buttons);
     column->addWidget(more_);
-    show_usual();
-    list_recent();
     parent->installEventFilter(this);
     place();
 }

@@ -20,7 +20,7 @@ public:
     StartHint(QMenu* samples, QWidget* parent);
     /// Keeps itself in the middle of its parent; in a small one there are only words and buttons.
     void place();
-    /// What the settings say.
+    /// What the settings say; the window tells when that is to be read.
     void show_usual();
 
 signals:
