@@ -60,11 +60,16 @@ QPixmap recent_picture(const QString& path) {
 
 RecentPictures::RecentPictures(const Document& document, Viewport& viewport, MainWindow& window)
     : QObject(&window), document_(document), viewport_(viewport) {
+    // A window settles after every picture: only what is new is looked at.
+    const auto changed = [this] { due_ = true; };
+    connect(&document_, &Document::part_changed, this, changed);
+    connect(&document_, &Document::states_changed, this, changed);
+    connect(&document_, &Document::modified_changed, this, changed); // saved under another name
     connect(&window, &MainWindow::settled, this, &RecentPictures::keep);
 }
 
 void RecentPictures::keep() {
-    if (!document_.part() || !viewport_.isVisible()) return;
+    if (!document_.part() || !viewport_.isVisible() || !std::exchange(due_, false)) return;
     const Project& project = document_.project();
     const std::filesystem::path file = project.path.empty() ? project.part_path() : project.path;
     const bool planned = document_.all_planned();

@@ -35,6 +35,7 @@ private:
 
     const Document& document_;
     Viewport& viewport_;
+    bool due_ = false;                            ///< part or plan have changed since it was looked
     std::pair<std::filesystem::path, bool> last_; ///< what it was of, and whether that was planned
 };
 
