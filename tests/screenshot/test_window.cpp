@@ -439,8 +439,11 @@ private slots:
         w().document().undo_stack().undo();
         QCOMPARE(choice->text(), QStringLiteral("Feeds of the tool"));
         // A new tool like the last one is not run like it.
+        QCoreApplication::sendPostedEvents(nullptr,
+                                           QEvent::DeferredDelete); // the new one may lie where it lay
+        QVERIFY(!w().findChild<ui::ToolDialog*>());
         w().tree().add_tool_action()->trigger();
-        QTRY_VERIFY(w().findChild<ui::ToolDialog*>() && w().findChild<ui::ToolDialog*>() != dialog);
+        QTRY_VERIFY(w().findChild<ui::ToolDialog*>());
         QVERIFY(w().findChild<ui::ToolDialog*>()->tool().cutting.empty());
         w().findChild<ui::ToolDialog*>()->reject();
         w().tree().select({TreeNode::Kind::stock, 0});
