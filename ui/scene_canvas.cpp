@@ -283,7 +283,9 @@ void SceneCanvas::stop_steps() {
 
 bool SceneCanvas::finished() const {
     const QWindow* shown = isVisible() ? window()->windowHandle() : nullptr;
-    return !coarse_ && !step_ && !painted_ && !awaiting() && !(dirty_ && shown && shown->isExposed());
+    // A rehearsal is no picture that anybody waits for, and nobody is told of its end.
+    const bool due = awaiting() && drawing_ != Drawing::rehearsal;
+    return !coarse_ && !step_ && !painted_ && !due && !(dirty_ && shown && shown->isExposed());
 }
 
 void SceneCanvas::content_changed() {
