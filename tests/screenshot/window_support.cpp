@@ -141,18 +141,13 @@ void answer_file_dialog(bool& asked, const QString& file) {
             if (!dialog) return;
             timer->setProperty("asked", true);
             asked = true;
-            auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-            if (file.isEmpty() || !name) return dialog->reject();
-            name->setFocus();
-            name->selectAll();
-            QTest::keyClicks(name, file);
+            if (file.isEmpty()) return dialog->reject();
         }
         if (!dialog || !dialog->isVisible()) return timer->deleteLater(); // it has taken the answer
-        // What completes the name may have changed it. Nothing can be opened until the dialog has seen by
-        // itself what lies in the folder.
-        if (auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-            name && name->text() != file)
-            name->setText(file);
+        // At once: letter by letter, what completes the name chooses folders on the way, too, and keeps them.
+        // Nothing can be opened until the dialog has seen by itself what lies in the folder.
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        if (name && name->text() != file) name->setText(file);
         auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
         QPushButton* open = buttons ? buttons->button(QDialogButtonBox::Open) : nullptr;
         if (open && open->isEnabled()) QTest::mouseClick(open, Qt::LeftButton);
