@@ -32,6 +32,7 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("M"), QObject::tr("measure"));
     row(QObject::tr("F5, Ctrl+P"), QObject::tr("plan"));
     row(QObject::tr("F6"), QObject::tr("verify"));
+    row(QObject::tr("F7 … F10"), QObject::tr("see what belongs to: prepare, plan, verify, simulate"));
     row(QObject::tr("Space"), QObject::tr("play, pause"));
     row(QObject::tr(",  ."), QObject::tr("one motion back, on (← and → too while playing back; Shift: ten)"));
     row(QObject::tr("Esc"), QObject::tr("cancel the running job"));

@@ -10,11 +10,17 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
+#include <QResizeEvent>
+#include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidgetAction>
 
 #include <algorithm>
-#include <utility>
 
 namespace facetmill::ui {
 
@@ -23,33 +29,35 @@ namespace {
 struct Entry {
     ViewLayer layer;
     const char *name, *label, *help;
-    bool shown;
 };
 
 constexpr Entry entries[] = {
     {ViewLayer::part, "part", QT_TRANSLATE_NOOP("LayerBar", "Part"),
-     QT_TRANSLATE_NOOP("LayerBar", "The part's surface"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "The part's surface")},
     {ViewLayer::edges, "edges", QT_TRANSLATE_NOOP("LayerBar", "Edges"),
-     QT_TRANSLATE_NOOP("LayerBar", "The edges of all facets"), false},
+     QT_TRANSLATE_NOOP("LayerBar", "The edges of all facets")},
     {ViewLayer::stock, "stock", QT_TRANSLATE_NOOP("LayerBar", "Stock"),
-     QT_TRANSLATE_NOOP("LayerBar", "The raw material; during playback as it is cut"), false},
+     QT_TRANSLATE_NOOP("LayerBar", "The raw material; during playback as it is cut")},
     {ViewLayer::deviation, "deviation", QT_TRANSLATE_NOOP("LayerBar", "Deviation"),
-     QT_TRANSLATE_NOOP("LayerBar", "The part in the colours of what the verification found"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "The part in the colours of what the verification found")},
     {ViewLayer::regions, "regions", QT_TRANSLATE_NOOP("LayerBar", "Regions"),
-     QT_TRANSLATE_NOOP("LayerBar", "Rework and clean-up regions on the part's surface"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "Rework and clean-up regions on the part's surface")},
     {ViewLayer::cc, "cc", QT_TRANSLATE_NOOP("LayerBar", "CC"),
-     QT_TRANSLATE_NOOP("LayerBar", "Cutter contacts: the points of the part that are cut"), false},
+     QT_TRANSLATE_NOOP("LayerBar", "Cutter contacts: the points of the part that are cut")},
     {ViewLayer::cuts, "cuts", QT_TRANSLATE_NOOP("LayerBar", "CL cuts"),
-     QT_TRANSLATE_NOOP("LayerBar", "Cutter locations: the path of the tool tip while it cuts"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "Cutter locations: the path of the tool tip while it cuts")},
     {ViewLayer::links, "links", QT_TRANSLATE_NOOP("LayerBar", "Links"),
-     QT_TRANSLATE_NOOP("LayerBar", "Links between cuts, approach and retract, at feed"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "Links between cuts, approach and retract, at feed")},
     {ViewLayer::rapids, "rapids", QT_TRANSLATE_NOOP("LayerBar", "Rapids"),
-     QT_TRANSLATE_NOOP("LayerBar", "Clearance moves at rapid speed"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "Clearance moves at rapid speed")},
     {ViewLayer::tool, "tool", QT_TRANSLATE_NOOP("LayerBar", "Tool"),
-     QT_TRANSLATE_NOOP("LayerBar", "The tool at the picked point of the path"), true},
+     QT_TRANSLATE_NOOP("LayerBar", "The tool at the picked point of the path")},
     {ViewLayer::others, "others", QT_TRANSLATE_NOOP("LayerBar", "Others"),
-     QT_TRANSLATE_NOOP("LayerBar", "The paths of all operations, not that of the chosen one alone"), false},
+     QT_TRANSLATE_NOOP("LayerBar", "The paths of all operations, not that of the chosen one alone")},
 };
+
+/// Margins and gaps of the row.
+constexpr int room_between = 40;
 
 } // namespace
 
@@ -95,44 +103,100 @@ private:
     QString low_, high_;
 };
 
+QStringList layer_names(const LayerSet& layers) {
+    QStringList names;
+    for (const Entry& e : entries)
+        if (layers.contains(e.layer)) names << QLatin1String(e.name);
+    return names;
+}
+
+LayerSet layers_named(const QStringList& names) {
+    LayerSet layers;
+    for (const Entry& e : entries)
+        if (names.contains(QLatin1String(e.name))) layers.insert(e.layer);
+    return layers;
+}
+
 LayerBar::LayerBar(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("layer_bar"));
-    auto* flow = new FlowLayout(this, 14);
-    flow->setContentsMargins(8, 4, 8, 4);
+    auto* flow = new FlowLayout(this, 10);
+    flow->setContentsMargins(8, 0, 8, 0);
+    add_boxes();
+    flow->addWidget(show_);
+    add_colours();
+    flow->addWidget(colours_);
+    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    setMinimumWidth(show_->sizeHint().width() + 16);
+}
+
+void LayerBar::add_boxes() {
+    auto* menu = new QMenu(this);
+    auto* list = new QWidget(menu);
+    auto* column = new QVBoxLayout(list);
+    column->setContentsMargins(10, 6, 14, 6);
+    column->setSpacing(4);
     for (const Entry& e : entries) {
-        auto* box = new QCheckBox(tr(e.label), this);
+        auto* box = new QCheckBox(tr(e.label), list);
         box->setObjectName(QStringLiteral("layer_") + QLatin1String(e.name));
         box->setToolTip(tr(e.help));
-        box->setChecked(e.shown);
-        box->setFocusPolicy(Qt::TabFocus);
         connect(box, &QCheckBox::toggled, this, &LayerBar::toggled);
-        connect(box, &QCheckBox::clicked, this, [this, layer = e.layer] { std::erase(aside_, layer); });
-        flow->addWidget(box);
+        column->addWidget(box);
         if (e.layer == ViewLayer::others) box->hide(); // until there are any
         boxes_.push_back(box);
     }
-    auto* colors = new QWidget(this);
-    auto* row = new QHBoxLayout(colors);
+    auto* entry = new QWidgetAction(menu);
+    entry->setDefaultWidget(list);
+    menu->addAction(entry);
+    // Opened by a key, the menu leads to its first box.
+    connect(menu, &QMenu::aboutToShow, list, [this, list] {
+        list->adjustSize();
+        QTimer::singleShot(0, list, [this] { boxes_.front()->setFocus(Qt::PopupFocusReason); });
+    });
+    show_ = new QToolButton(this);
+    show_->setObjectName(QStringLiteral("layer_menu"));
+    show_->setText(tr("Show"));
+    show_->setToolTip(tr("What the view shows"));
+    show_->setPopupMode(QToolButton::InstantPopup);
+    show_->setAutoRaise(true);
+    show_->setFocusPolicy(Qt::TabFocus);
+    show_->setMenu(menu);
+}
+
+void LayerBar::add_colours() {
+    colours_ = new QWidget(this);
+    auto* row = new QHBoxLayout(colours_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(5);
-    quantity_ = new QComboBox(colors);
+    quantity_ = new QComboBox(colours_);
     quantity_->setObjectName(QStringLiteral("path_quantity"));
     quantity_->setToolTip(tr("What the colours of the path mean; their scale stands in the view"));
     quantity_->setFocusPolicy(Qt::TabFocus);
     for (std::size_t q = 0; q < path_quantities; ++q)
         quantity_->addItem(ui::text(path_quantity_label(PathQuantity(q))));
-    auto* label = new QLabel(tr("Path by"), colors);
-    label->setBuddy(quantity_);
-    row->addWidget(label);
+    label_ = new QLabel(tr("Path by"), colours_);
+    label_->setBuddy(quantity_);
+    row->addWidget(label_);
     row->addWidget(quantity_);
-    scale_ = new ScaleStrip(colors);
+    scale_ = new ScaleStrip(colours_);
     scale_->hide();
     row->addWidget(scale_);
     connect(quantity_, &QComboBox::currentIndexChanged, this, &LayerBar::quantity_chosen);
-    flow->addWidget(colors);
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+}
+
+int LayerBar::width_without_label() const {
+    return show_->sizeHint().width() + quantity_->sizeHint().width() + room_between;
+}
+
+void LayerBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // A narrow window has no room for the word; the box says the same by its tip.
+    label_->setVisible(event->size().width() >= width_without_label() + label_->sizeHint().width());
+}
+
+void LayerBar::offer_colours(bool on) {
+    colours_->setVisible(on);
 }
 
 QCheckBox* LayerBar::box(ViewLayer layer) const {
@@ -163,31 +227,21 @@ void LayerBar::set_shown(ViewLayer layer, bool on) {
     box(layer)->setChecked(on);
 }
 
-void LayerBar::put_paths_aside() {
-    for (const ViewLayer layer : {ViewLayer::cc, ViewLayer::cuts, ViewLayer::links, ViewLayer::rapids})
-        if (shown(layer)) {
-            aside_.push_back(layer);
-            set_shown(layer, false);
-        }
-}
-
-void LayerBar::bring_paths_back() {
-    for (const ViewLayer layer : std::exchange(aside_, {}))
-        set_shown(layer, true);
-}
-
-QStringList LayerBar::shown_names() const {
-    QStringList names;
+LayerSet LayerBar::shown_set() const {
+    LayerSet layers;
     for (const Entry& e : entries)
-        if (shown(e.layer) || std::find(aside_.begin(), aside_.end(), e.layer) != aside_.end())
-            names << QLatin1String(e.name);
-    return names;
+        if (shown(e.layer)) layers.insert(e.layer);
+    return layers;
 }
 
-void LayerBar::set_shown_names(const QStringList& names) {
-    aside_.clear();
-    for (const Entry& e : entries)
-        set_shown(e.layer, names.contains(QLatin1String(e.name)));
+void LayerBar::set_shown_set(const LayerSet& layers) {
+    bool changed = false;
+    for (const Entry& e : entries) {
+        const QSignalBlocker quiet(box(e.layer));
+        changed = changed || shown(e.layer) != layers.contains(e.layer);
+        set_shown(e.layer, layers.contains(e.layer));
+    }
+    if (changed) emit toggled();
 }
 
 void LayerBar::apply(Scene& scene) const {

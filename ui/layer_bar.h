@@ -1,14 +1,19 @@
-// Check boxes for what the view shows, and what the path's colours mean. Wraps where the window is narrow.
+// What the view shows, as check boxes behind one button, and what the path's colours mean. Wraps where the
+// window is narrow.
 #pragma once
 
 #include "viz/path_tint.h"
 
+#include <QStringList>
 #include <QWidget>
 
+#include <set>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
+class QToolButton;
 
 namespace facetmill {
 class Scene;
@@ -20,6 +25,11 @@ namespace facetmill::ui {
 /// operations beside the chosen one.
 enum class ViewLayer { part, edges, stock, deviation, regions, cc, cuts, links, rapids, tool, others };
 
+using LayerSet = std::set<ViewLayer>;
+/// For settings; names that are not known are passed over.
+QStringList layer_names(const LayerSet& layers);
+LayerSet layers_named(const QStringList& names);
+
 class ScaleStrip;
 
 class LayerBar : public QWidget {
@@ -30,15 +40,15 @@ public:
     bool shown(ViewLayer layer) const;
     void set_shown(ViewLayer layer, bool on);
     QCheckBox* box(ViewLayer layer) const;
-    /// Switches paths and contacts off until `bring_paths_back`: they would cover what is looked at. What the
-    /// user switches meanwhile stays as it is switched; settings have what is put aside as shown.
-    void put_paths_aside();
-    void bring_paths_back();
-    /// The shown layers by name, for settings; names that are not known are passed over.
-    QStringList shown_names() const;
-    void set_shown_names(const QStringList& names);
+    LayerSet shown_set() const;
+    /// All at once: those who listen hear of it once.
+    void set_shown_set(const LayerSet& layers);
     /// Hands all check marks to the scene.
     void apply(Scene& scene) const;
+    /// The menu of the check boxes.
+    QToolButton* menu_button() { return show_; }
+    /// Whether the colours of paths can be chosen, where there are paths to see.
+    void offer_colours(bool on);
     /// What the path's colours are to mean.
     PathQuantity quantity() const;
     QComboBox* quantity_box() { return quantity_; }
@@ -51,9 +61,18 @@ signals:
     void toggled();
     void quantity_chosen();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    int width_without_label() const;
+    void add_boxes();
+    void add_colours();
+
     std::vector<QCheckBox*> boxes_;
-    std::vector<ViewLayer> aside_;
+    QToolButton* show_ = nullptr;
+    QWidget* colours_ = nullptr;
+    QLabel* label_ = nullptr;
     QComboBox* quantity_ = nullptr;
     ScaleStrip* scale_ = nullptr;
 };

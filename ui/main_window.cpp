@@ -43,6 +43,7 @@
 #include "ui/window_commands.h"
 #include "ui/window_docks.h"
 #include "ui/window_menus.h"
+#include "ui/workspaces.h"
 
 #include <QAction>
 #include <QApplication>
@@ -86,10 +87,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connect_document();
     connect_panels();
     connect_jobs();
+    connect_workspaces();
 
     Scene& scene = viewport_->scene();
     scene.set_visible(Layer::title, false); // the window has one
-    if (const auto names = settings::shown_layers()) layers_->set_shown_names(*names);
     layers_->apply(scene);
     take_preferences(*this);
     restore_window();
@@ -134,9 +135,8 @@ void MainWindow::build_parts() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(viewport_, 1);
-    column->addWidget(roughing().bar());
-    column->addWidget(verification().bar());
-    column->addWidget(layers_);
+    workspaces_ = new Workspaces(*layers_, *roughing().bar(), *verification().bar(), center);
+    column->addWidget(workspaces_);
 }
 
 void MainWindow::build_docks() {
@@ -268,6 +268,35 @@ void MainWindow::connect_jobs() {
     });
 }
 
+/// What was just done is to be seen.
+void MainWindow::connect_workspaces() {
+    const auto enter = [this](Workspace w) { return [this, w] { workspaces_->enter(w); }; };
+    connect(&document_, &Document::opened, this, enter(Workspace::prepare));
+    // A path to see: an opened program, or that of an operation that is chosen.
+    connect(&document_, &Document::states_changed, this, [this] {
+        if (document_.program() && workspaces_->current() == Workspace::prepare)
+            workspaces_->enter(Workspace::plan);
+    });
+    connect(tree_, &ProjectTree::selection_changed, this, [this] {
+        const auto node = tree_->selected();
+        if (node && node->kind == TreeNode::Kind::operation && workspaces_->current() == Workspace::prepare
+            && document_.result(node->index))
+            workspaces_->enter(Workspace::plan);
+    });
+    connect(planning_, &PlanRunner::about_to_plan, this, enter(Workspace::plan));
+    connect(&verification(), &VerificationController::played, this, enter(Workspace::simulate));
+    connect(controllers_, &Controllers::verified, this, [this] {
+        if (!verification().playback().playing()) workspaces_->enter(Workspace::verify);
+    });
+    connect(workspaces_, &Workspaces::entered, this, [this](Workspace now) {
+        if (now != Workspace::simulate) verification().playback().pause();
+        update_commands();
+    });
+    connect(workspaces_, &Workspaces::chosen, this, [this](Workspace now) {
+        if (now == Workspace::verify) docks_->show(QStringLiteral("verification_dock"));
+    });
+}
+
 void MainWindow::restore_window() {
     resize(usual_size());
     docks_->size_as_new();
@@ -380,7 +409,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     job_.cancel();
     settings::set_window(saveGeometry(), saveState());
-    settings::set_shown_layers(layers_->shown_names());
+    workspaces_->keep_layers();
     event->accept();
 }
 

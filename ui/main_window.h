@@ -38,6 +38,7 @@ class ViewMenu;
 class VerificationController;
 class Viewport;
 class WindowDocks;
+class Workspaces;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -75,6 +76,7 @@ public:
     ProjectTree& tree() { return *tree_; }
     PropertiesPanel& properties() { return *properties_; }
     LayerBar& layers() { return *layers_; }
+    Workspaces& workspaces() { return *workspaces_; }
     MessageBar& message_bar() { return *message_bar_; }
     StartHint& start_page() { return *hint_; }
     Messages& messages() { return *messages_; }
@@ -105,6 +107,7 @@ private:
     void connect_document();
     void connect_panels();
     void connect_jobs();
+    void connect_workspaces();
     void restore_window();
     void update_title();
     void edit_tool(std::optional<std::size_t> index);
@@ -120,6 +123,7 @@ private:
     ViewMenu* view_menu_ = nullptr;
     MessageBar* message_bar_ = nullptr;
     LayerBar* layers_ = nullptr;
+    Workspaces* workspaces_ = nullptr;
     LogView* log_ = nullptr;
     ProjectTree* tree_ = nullptr;
     PropertiesPanel* properties_ = nullptr;

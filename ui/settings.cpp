@@ -130,13 +130,13 @@ void set_last_folder(const QString& folder) {
     QSettings().setValue(QStringLiteral("last_folder"), folder);
 }
 
-std::optional<QStringList> shown_layers() {
-    const QVariant value = QSettings().value(QStringLiteral("layers"));
+std::optional<QStringList> shown_layers(const QString& workspace) {
+    const QVariant value = QSettings().value(QStringLiteral("layers/") + workspace);
     return value.isValid() ? std::optional(value.toStringList()) : std::nullopt;
 }
 
-void set_shown_layers(const QStringList& names) {
-    QSettings().setValue(QStringLiteral("layers"), names);
+void set_shown_layers(const QString& workspace, const QStringList& names) {
+    QSettings().setValue(QStringLiteral("layers/") + workspace, names);
 }
 
 QByteArray window_geometry() {

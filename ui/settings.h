@@ -53,9 +53,9 @@ void set_theme(Theme theme);
 QString last_folder();
 void set_last_folder(const QString& folder);
 
-/// Names of the layers that are shown; nothing before the first time.
-std::optional<QStringList> shown_layers();
-void set_shown_layers(const QStringList& names);
+/// Names of the layers that are shown in a workspace; nothing before the first time.
+std::optional<QStringList> shown_layers(const QString& workspace);
+void set_shown_layers(const QString& workspace, const QStringList& names);
 
 QByteArray window_geometry();
 QByteArray window_state();

@@ -76,12 +76,15 @@ VerificationController::VerificationController(Document& document, Viewport& vie
         if (model_.any()) use_scale(default_scale(model_.verification(), document_.unit()));
     });
     connect(&playback_, &PlaybackController::loaded_changed, this, [this] {
-        engaged_ = stock_offered_ = false;
+        engaged_ = false;
         display_.forget_tool();
         bar_->setVisible(playback_.loaded());
     });
     connect(&playback_, &PlaybackController::moved, this, &VerificationController::show_playback);
-    connect(&playback_, &PlaybackController::playing_changed, this, &VerificationController::show_playback);
+    connect(&playback_, &PlaybackController::playing_changed, this, [this] {
+        if (playback_.playing()) emit played();
+        show_playback();
+    });
     connect(&playback_, &PlaybackController::failed, this,
             [this](const QString& why) { emit said(MessageBar::Kind::error, sentence(why), true); });
 }
@@ -109,12 +112,6 @@ void VerificationController::verify(std::optional<std::size_t> up_to) {
 void VerificationController::take(const std::vector<std::shared_ptr<const VerificationOutcome>>& outcomes) {
     for (const auto& outcome : outcomes)
         model_.take(outcome);
-    layers_.set_shown(ViewLayer::deviation, true);
-    layers_.put_paths_aside(); // the colours would lie under a knot of lines
-    if (!playback_.playing()) {
-        layers_.set_shown(ViewLayer::stock, false); // it would hide the colours
-        stock_offered_ = false;
-    }
     for (const auto& outcome : outcomes)
         tell(*outcome, outcomes.size() > 1);
     emit verified();
@@ -235,13 +232,11 @@ void VerificationController::use_scale(const DeviationScale& scale) {
 }
 
 void VerificationController::plan_changed() {
-    layers_.bring_paths_back();
     follow_plan();
 }
 
 void VerificationController::layers_toggled() {
     playback_.set_follow(engaged_ && layers_.shown(ViewLayer::stock));
-    if (!layers_.shown(ViewLayer::deviation)) layers_.bring_paths_back();
 }
 
 void VerificationController::show_playback() {
@@ -250,15 +245,13 @@ void VerificationController::show_playback() {
         return;
     }
     const bool moved = playback_.target() > 0 || playback_.playing();
-    if (moved && !engaged_) engaged_ = true;
+    if (moved && !engaged_) {
+        engaged_ = true;
+        layers_toggled(); // the stock follows from now on
+    }
     if (!engaged_) {
         display_.show_stock();
         return;
-    }
-    if (!from_finding_ && !stock_offered_) {
-        stock_offered_ = true;
-        layers_.set_shown(ViewLayer::stock, true);
-        layers_toggled(); // where it was shown already
     }
     display_.show_stock();
     const PlaybackTrack& track = playback_.track();
@@ -292,8 +285,8 @@ void VerificationController::show_stock_after(std::size_t operation) {
     playback_.pause();
     display_.forget_tool();
     engaged_ = true;
-    stock_offered_ = false; // it is what was asked for
     playback_.go_to(MotionPlace{last, track.motions_of(last) - 1});
+    emit played();
 }
 
 void VerificationController::node_chosen(const std::optional<TreeNode>& node) {
@@ -336,6 +329,7 @@ void VerificationController::go_to_finding(std::size_t which) {
         playback_.pause();
         from_finding_ = true;
         playback_.go_to(MotionPlace{program->index, finding.by.motion});
+        layers_.set_shown(ViewLayer::tool, true);
         from_finding_ = false;
         marked_at_ = playback_.target();
     }
@@ -355,10 +349,9 @@ bool VerificationController::take_key(const QKeyEvent& event) {
         playback_.toggle();
         return true;
     case Qt::Key_Comma:
-        playback_.step(-1);
-        return true;
     case Qt::Key_Period:
-        playback_.step(1);
+        playback_.step(event.key() == Qt::Key_Comma ? -1 : 1);
+        emit played();
         return true;
     case Qt::Key_Left:
     case Qt::Key_Right:

@@ -64,6 +64,8 @@ signals:
     /// The same of all setups.
     void verify_all_requested();
     void verified();
+    /// The user plays back: the stock should be seen.
+    void played();
     /// A finding is by this operation: its path should be seen.
     void operation_meant(int id);
     /// Where the tool is, for the status line.
@@ -92,7 +94,6 @@ private:
     std::vector<std::string> track_key_; ///< what the loaded playback was made from
     std::vector<std::shared_ptr<const OperationResult>> track_results_;
     bool engaged_ = false;
-    bool stock_offered_ = false; ///< the stock was shown once for this plan
     bool from_finding_ = false;
     std::optional<std::size_t> wanted_finding_;          ///< once its setup is there
     std::optional<double> marked_at_;                    ///< position at which a finding's marker is shown

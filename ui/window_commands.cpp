@@ -21,8 +21,10 @@
 #include "ui/text.h"
 #include "ui/undo_keys.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 
 #include <QAction>
+#include <QToolButton>
 
 #include <tuple>
 
@@ -181,6 +183,20 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   [&w] { return w.job().running() && !w.job().cancelling(); }});
 }
 
+void add_workspace_commands(Commands& commands, MainWindow& w) {
+    for (std::size_t i = 0; i < workspace_count; ++i) {
+        const auto workspace = Workspace(i);
+        commands.add({QStringLiteral("see_") + QLatin1String(workspace_name(workspace)),
+                      workspace_label(workspace),
+                      {},
+                      {QKeySequence(Qt::Key_F7 + int(i))},
+                      [&w, workspace] { w.workspaces().button(workspace)->click(); },
+                      {},
+                      [&w, workspace] { return w.workspaces().current() == workspace; },
+                      workspace_help(workspace)});
+    }
+}
+
 void add_view_commands(Commands& commands, MainWindow& w) {
     const auto has_part = [&w] { return w.document().has_part(); };
     Viewport& viewport = w.viewport();
@@ -279,6 +295,7 @@ void add_commands(Commands& commands, MainWindow& window) {
     add_file_commands(commands, window);
     add_history(commands, window);
     add_plan_commands(commands, window);
+    add_workspace_commands(commands, window);
     add_view_commands(commands, window);
     add_setting_commands(commands, window);
     commands.add({"keys", tr("&Keys and mouse"), {}, {QKeySequence(Qt::Key_F1)}, [&window] {

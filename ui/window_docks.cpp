@@ -15,6 +15,8 @@ namespace facetmill::ui {
 
 namespace {
 
+/// Width of those on the left: a form of lengths with their units.
+constexpr int left_width = 280;
 /// Width of the docks on the right at which their tabs can be read whole.
 constexpr int right_width = 306;
 /// A window below this width has no room for docks on both sides.
@@ -112,7 +114,7 @@ bool WindowDocks::stands_right(QDockWidget* dock) const {
 void WindowDocks::size_as_new() {
     const auto at = [this](const char* name) { return docks_.at(QLatin1String(name)); };
     window_.resizeDocks({at("project_dock"), at("properties_dock")}, {230, 420}, Qt::Vertical);
-    window_.resizeDocks({at("project_dock"), at("report_dock")}, {280, right_width}, Qt::Horizontal);
+    window_.resizeDocks({at("project_dock"), at("report_dock")}, {left_width, right_width}, Qt::Horizontal);
     window_.resizeDocks({at("log_dock")}, {96}, Qt::Vertical);
 }
 
@@ -147,6 +149,8 @@ bool WindowDocks::make_room() {
         made_room_.push_back(dock);
         moved = true;
     }
+    // The form keeps its width.
+    if (moved) window_.resizeDocks({parameters}, {left_width}, Qt::Horizontal);
     return moved;
 }
 

@@ -82,7 +82,7 @@ std::vector<MenuTable> menus() {
           "unit_menu",
           "preferences"}},
         {"view_menu", tr("&View"),
-         views()
+         Entries{"see_prepare", "see_plan", "see_verify", "see_simulate", "-"} + views()
              + Entries{"measure", "-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",
                        "report_dock", "verification_dock", "cspace_dock", "unrolled_dock", "strips_dock",
                        "place_dock", "chart_dock", "log_dock", "tool_bar"}},

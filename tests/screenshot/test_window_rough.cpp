@@ -107,6 +107,7 @@ private slots:
         // Beside a layer alone nothing of the other operation is seen or picked.
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));
+        w().viewport().fit();
         const QImage alone = view_picture(w());
         const auto picked = [&] {
             int sources = 0;
@@ -143,6 +144,7 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));
+        w().viewport().fit();
         QTRY_VERIFY(changed_pixels(alone, view_picture(w())) < 20);
         // Elsewhere the whole path is there again.
         slider()->setValue(1);

@@ -11,6 +11,7 @@
 #include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -117,24 +118,23 @@ private slots:
         QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
         QVERIFY(controller().panel()->histogram()->histogram()->total > 0);
         QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
-        // The part has its colours in the view, and loses them with the layer. The path steps aside for them,
-        // and is kept among what is shown.
+        // The part has its colours in the view, no path lies over them, and it loses them with the layer.
+        QCOMPARE(w().workspaces().current(), Workspace::verify);
         QVERIFY(!w().layers().shown(ViewLayer::cuts) && !w().layers().shown(ViewLayer::rapids));
-        QVERIFY(w().layers().shown_names().contains(QStringLiteral("cuts")));
         const QImage colored = view_picture(w());
         shot(w(), QStringLiteral("verified"));
         w().layers().set_shown(ViewLayer::deviation, false);
-        QVERIFY(w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::rapids));
         QVERIFY(changed_pixels(colored, view_picture(w())) > 5000);
         w().layers().set_shown(ViewLayer::deviation, true);
         QVERIFY(wait_until_settled(w()));
-        // What the user switches is the user's.
-        w().layers().put_paths_aside();
-        w().layers().box(ViewLayer::cuts)->click();
-        w().layers().box(ViewLayer::cuts)->click();
-        w().layers().bring_paths_back();
-        QVERIFY(!w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::rapids));
-        w().layers().set_shown(ViewLayer::cuts, true);
+        // The path is where it belongs, and what is switched here stays here.
+        w().layers().set_shown(ViewLayer::edges, true);
+        w().workspaces().enter(Workspace::plan);
+        QVERIFY(w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::rapids));
+        QVERIFY(!w().layers().shown(ViewLayer::deviation) && !w().layers().shown(ViewLayer::edges));
+        w().workspaces().enter(Workspace::verify);
+        QVERIFY(!w().layers().shown(ViewLayer::cuts) && w().layers().shown(ViewLayer::edges));
+        w().layers().set_shown(ViewLayer::edges, false);
         w().set_theme(Theme::dark);
         shot(w(), QStringLiteral("verified-dark"));
         w().set_theme(Theme::light);
@@ -290,14 +290,15 @@ private slots:
 
     void playing_cuts_the_stock() {
         QVERIFY(open_and_plan());
-        QVERIFY(!bar().isHidden());
+        QVERIFY(!bar().isVisible());
         QVERIFY(!w().layers().shown(ViewLayer::stock));
         bar().speed_box()->setCurrentIndex(bar().speed_box()->findData(-100.0));
         QCOMPARE(playback().speed(), (PlaybackSpeed{PlaybackSpeed::Unit::motions_per_second, 100}));
         w().viewport().setFocus();
         QTest::keyClick(&w().viewport(), Qt::Key_Space);
         QVERIFY(playback().playing());
-        QVERIFY(w().layers().shown(ViewLayer::stock)); // it is what one wants to see
+        QCOMPARE(w().workspaces().current(), Workspace::simulate); // it is what one wants to see
+        QVERIFY(w().layers().shown(ViewLayer::stock) && bar().isVisible());
         QVERIFY(QTest::qWaitFor([this] { return playback().position() > 20; }));
         const auto half = playback().stock();
         QVERIFY(!half.empty());
@@ -315,10 +316,19 @@ private slots:
         playback().play();
         QVERIFY(QTest::qWaitFor([this] { return !playback().playing(); }));
         QCOMPARE(playback().target(), double(playback().track().motion_count()));
+        // It does not play where it is not seen.
+        playback().go_to(0);
+        playback().play();
+        QTest::mouseClick(w().workspaces().button(Workspace::plan), Qt::LeftButton);
+        QVERIFY(!playback().playing());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().workspaces().current(), Workspace::plan);
     }
 
     void steps_scrubbing_and_goto() {
         QVERIFY(open_and_plan());
+        QTest::keyClick(&w(), Qt::Key_F10);
+        QCOMPARE(w().workspaces().current(), Workspace::simulate);
         const auto& motions = w().document().result(0)->program.motions.motions;
         QTest::mouseClick(bar().button("play_forward"), Qt::LeftButton);
         QCOMPARE(playback().target(), 1.0);
@@ -384,6 +394,7 @@ private slots:
                               [](Project& p) { p.operations[0]->common().feed /= 100; });
         w().plan();
         QVERIFY(wait_until_settled(w()));
+        w().workspaces().enter(Workspace::simulate);
         w().resize(800, 600);
         QTest::qWait(50);
         const auto* time = bar().findChild<QLabel*>(QStringLiteral("play_time"));

@@ -2,21 +2,27 @@
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/layer_bar.h"
+#include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
 #include "ui/tool_dialog.h"
+#include "ui/verification_controller.h"
 #include "ui/view_cube.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -27,6 +33,8 @@ using namespace facetmill::test;
 using ui::MainWindow;
 using ui::TreeNode;
 using ui::ViewLayer;
+using ui::Workspace;
+using ui::Workspaces;
 
 namespace {
 
@@ -46,6 +54,9 @@ private slots:
         QVERIFY(open_and_plan());
         w().viewport().set_view(StandardView::iso);
         const QImage reference = view_picture(w());
+        QMenu* menu = w().layers().menu_button()->menu();
+        menu->popup(w().layers().menu_button()->mapToGlobal(QPoint(0, 0)));
+        QVERIFY(QTest::qWaitForWindowExposed(menu));
         for (const ViewLayer layer :
              {ViewLayer::part, ViewLayer::edges, ViewLayer::stock, ViewLayer::cc, ViewLayer::cuts,
               ViewLayer::links, ViewLayer::rapids, ViewLayer::tool}) {
@@ -56,6 +67,10 @@ private slots:
             QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
             QCOMPARE(changed_pixels(reference, view_picture(w())), 0);
         }
+        QVERIFY(menu->isVisible()); // for the next one
+        shot(*menu, QStringLiteral("layer-menu"));
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QVERIFY(!menu->isVisible());
         w().layers().set_shown(ViewLayer::cuts, false); // the path lies over most of the part
         const QImage smooth = view_picture(w());
         for (const char* style : {"shade_flat", "shade_wire"}) {
@@ -404,10 +419,52 @@ private slots:
         }
     }
 
+    void each_workspace_has_its_own() {
+        Workspaces& spaces = w().workspaces();
+        QVERIFY(open_part());
+        QCOMPARE(spaces.current(), Workspace::prepare);
+        QVERIFY(w().layers().shown(ViewLayer::stock) && !w().layers().quantity_box()->isVisible());
+        shot(w(), QStringLiteral("workspace-prepare"));
+        // Nothing to play back yet: said in its place.
+        QTest::mouseClick(spaces.button(Workspace::simulate), Qt::LeftButton);
+        auto* nothing = w().findChild<QLabel*>(QStringLiteral("nothing_to_play"));
+        QVERIFY(nothing->isVisible());
+        shot(w(), QStringLiteral("workspace-simulate-empty"));
+        QTest::keyClick(&w(), Qt::Key_F5);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(spaces.current(), Workspace::plan);
+        QVERIFY(w().layers().shown(ViewLayer::cuts) && !w().layers().shown(ViewLayer::stock));
+        QVERIFY(w().layers().quantity_box()->isVisible() && !nothing->isVisible());
+        QTest::keyClick(&w(), Qt::Key_F7);
+        QCOMPARE(spaces.current(), Workspace::prepare);
+        QVERIFY(!w().layers().shown(ViewLayer::cuts) && !w().viewport().scene().visible(Layer::cl));
+        // The path of an operation that is chosen is seen.
+        w().tree().select({TreeNode::Kind::part, 0});
+        QCOMPARE(spaces.current(), Workspace::prepare);
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QCOMPARE(spaces.current(), Workspace::plan);
+        QTest::keyClick(&w(), Qt::Key_F9);
+        QCOMPARE(spaces.current(), Workspace::verify);
+        QVERIFY(w().findChild<QWidget*>(QStringLiteral("verification"))->isVisible());
+        QTest::keyClick(&w(), Qt::Key_F10);
+        QVERIFY(w().verification().bar()->isVisible() && !nothing->isVisible());
+        QVERIFY(action(w(), "see_simulate")->isChecked() && !action(w(), "see_plan")->isChecked());
+        shot(w(), QStringLiteral("workspace-simulate"));
+        // One row below the view, but where one plays back.
+        spaces.enter(Workspace::plan);
+        for (const QSize size : {QSize(1280, 800), QSize(800, 600)}) {
+            w().resize(size);
+            QTest::qWait(60);
+            QVERIFY2(spaces.height() < 2 * w().layers().quantity_box()->height(),
+                     qPrintable(QString::number(spaces.height())));
+        }
+    }
+
     void window_state_is_kept() {
         w().resize(1010, 707);
         w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
-        w().layers().set_shown(ViewLayer::stock, true);
+        w().layers().set_shown(ViewLayer::stock, false);
+        w().workspaces().enter(Workspace::plan);
         w().layers().set_shown(ViewLayer::rapids, false);
         QTest::qWait(50);
         w().close();
@@ -416,13 +473,14 @@ private slots:
         QVERIFY(activate(*window_));
         QCOMPARE(window_->size(), QSize(1010, 707));
         QVERIFY(!window_->findChild<QWidget*>(QStringLiteral("log_dock"))->isVisible());
-        QVERIFY(window_->layers().shown(ViewLayer::stock));
+        QVERIFY(!window_->layers().shown(ViewLayer::stock));
+        QVERIFY(!window_->viewport().scene().visible(Layer::stock));
+        window_->layers().set_shown(ViewLayer::stock, true);
+        window_->workspaces().enter(Workspace::plan);
         QVERIFY(!window_->layers().shown(ViewLayer::rapids));
         QVERIFY(window_->layers().shown(ViewLayer::cuts));
-        QVERIFY(window_->viewport().scene().visible(Layer::stock));
-        window_->layers().set_shown(ViewLayer::stock, false);
         window_->layers().set_shown(ViewLayer::rapids, true);
-        ui::settings::set_shown_layers(window_->layers().shown_names());
+        window_->workspaces().keep_layers();
         ui::settings::set_window({}, {});
     }
 
