@@ -52,7 +52,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                       files.open_with_dialog();
                   }});
     commands.add({"open_program",
-                  tr("Open p&rogram…"),
+                  tr("Open pro&gram…"),
                   {},
                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
                   [&] { files.open_program_with_dialog(); },
@@ -87,7 +87,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   {},
                   tr("Write the project with its meshes, machines and posts into one file, to be sent")});
     commands.add({"save_template",
-                  tr("Save as te&mplate…"),
+                  tr("Sa&ve as template…"),
                   {},
                   {},
                   [&w] { w.templates().save_with_dialog(); },
@@ -96,7 +96,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   tr("Keep operations, tools and settings of this setup for other parts")});
     InputsController& inputs = w.controllers().inputs();
     commands.add({"replace_part",
-                  tr("Replace par&t…"),
+                  tr("Re&place part…"),
                   {},
                   {},
                   [&] { inputs.replace_part_with_dialog(); },
@@ -124,7 +124,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   [&] { exports.sheet_with_dialog(); },
                   can_export});
     commands.add({"picture",
-                  tr("Export &picture…"),
+                  tr("Export p&icture…"),
                   Icon::picture,
                   {},
                   [&] { exports.picture_with_dialog(); },

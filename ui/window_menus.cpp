@@ -42,7 +42,7 @@ Entries views() {
 
 /// Menus inside others; their own names are entries there.
 std::vector<MenuTable> submenus() {
-    return {{"unit_menu", tr("&Unit"), {"unit_mm", "unit_inch"}},
+    return {{"unit_menu", tr("Un&it"), {"unit_mm", "unit_inch"}},
             {"shading_menu", tr("Part &shading"), {"shade_smooth", "shade_flat", "shade_wire"}},
             {"colour_menu", tr("&Colours"), {"theme_system", "theme_light", "theme_dark"}}};
 }
