@@ -92,6 +92,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
 
     view_ = new CSpaceView(this);
     view_->setObjectName(QStringLiteral("cspace_view"));
+    view_->setAccessibleName(tr("Configuration space"));
     view_->scene().set_legend_visible(false); // it stands below
     auto* busy = new QHBoxLayout;
     progress_ = new QProgressBar(view_);

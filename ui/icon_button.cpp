@@ -11,6 +11,7 @@ QToolButton* icon_button(QWidget* parent, Icon which, const QString& tip, const 
     button->setIconSize(QSize(side, side));
     button->setAutoRaise(true);
     button->setToolTip(tip);
+    button->setAccessibleName(tip);
     button->setFocusPolicy(Qt::TabFocus);
     return button;
 }

@@ -14,6 +14,7 @@ constexpr int max_entries = 5000;
 
 LogView::LogView(QWidget* parent) : QPlainTextEdit(parent) {
     setObjectName(QStringLiteral("log"));
+    setAccessibleName(tr("Log"));
     setReadOnly(true);
     setFrameShape(QFrame::NoFrame);
     setMaximumBlockCount(max_entries);

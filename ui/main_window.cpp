@@ -5,6 +5,7 @@
 #include "ui/cspace_controller.h"
 #include "ui/cspace_panel.h"
 #include "ui/dropped_files.h"
+#include "ui/graphics_role.h"
 #include "ui/inspection_controller.h"
 #include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
@@ -108,11 +109,13 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::build_parts() {
+    tell_graphics();
     auto* center = new QWidget(this);
     setCentralWidget(center);
     viewport_ = new Viewport(center);
     message_bar_ = new MessageBar(viewport_);
     viewport_->setObjectName(QStringLiteral("viewport"));
+    viewport_->setAccessibleName(tr("View"));
     layers_ = new LayerBar(center);
     log_ = new LogView(this);
     messages_ = std::make_unique<Messages>(*message_bar_, *log_);

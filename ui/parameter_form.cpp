@@ -4,6 +4,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -124,6 +125,26 @@ void ParameterForm::set_parameters(const std::vector<const ParameterInfo*>& para
     emit validity_changed(true);
 }
 
+namespace {
+
+/// Those that take the keys.
+QList<QWidget*> fields_of(const ParameterEditor& editor) {
+    QList<QWidget*> fields;
+    for (QWidget* w : editor.findChildren<QWidget*>())
+        if ((w->focusPolicy() & Qt::TabFocus) && !qobject_cast<QComboBox*>(w->parentWidget())) fields << w;
+    return fields;
+}
+
+/// What a screen reader says of the fields: the parameter's label, with the axis where there are three.
+void name_fields(const QList<QWidget*>& fields, const QString& label) {
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        const QString which = fields.size() == 3 ? QString(QChar('X' + char(i))) : QString::number(i + 1);
+        fields[i]->setAccessibleName(fields.size() < 2 ? label : label + QChar(' ') + which);
+    }
+}
+
+} // namespace
+
 void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
                             const std::vector<FormChoice>& choices) {
     const std::size_t index = rows_.size();
@@ -134,6 +155,9 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
 
     row.label = new QLabel(text(info.label), holder);
     row.label->setWordWrap(true);
+    // Made before the fields, it comes before them with Tab, too, as it stands.
+    if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end())
+        row.pick = new QToolButton(holder);
     row.editor = make_parameter_editor(info, choices, holder);
     row.label->setBuddy(row.editor);
     row.unit = new QLabel(holder);
@@ -154,8 +178,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.error->setWordWrap(true);
     row.error->hide();
 
-    if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end()) {
-        row.pick = new QToolButton(holder);
+    if (row.pick) {
         row.pick->setObjectName(QStringLiteral("pick_") + text(info.key));
         row.pick->setIcon(icon(Icon::pick));
         row.pick->setIconSize(QSize(14, 14));
@@ -163,6 +186,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         row.pick->setCheckable(true);
         row.pick->setFocusPolicy(Qt::TabFocus);
         row.pick->setToolTip(tr("Pick it in the view"));
+        row.pick->setAccessibleName(row.pick->toolTip());
         connect(row.pick, &QToolButton::clicked, this,
                 [this, key = info.key](bool on) { emit pick_requested(key, on); });
         auto* both = new QHBoxLayout;
@@ -206,6 +230,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         const std::string key = r.info->key;
         emit edited(key, value);
     });
+    name_fields(fields_of(*row.editor), row.label->text());
     for (QWidget* w : row.editor->findChildren<QWidget*>())
         w->installEventFilter(this);
     row.label->installEventFilter(this);

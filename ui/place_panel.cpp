@@ -89,6 +89,7 @@ void PlacePanel::build_list(QVBoxLayout* column) {
     column->addLayout(head);
     list_ = new QTreeWidget(this);
     list_->setObjectName(QStringLiteral("place_faces"));
+    list_->setAccessibleName(tr("Faces to lie on"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -235,6 +236,7 @@ void PlacePanel::build_zero(QVBoxLayout* column) {
         const QString places[] = {tr("low"), tr("middle"), tr("high")};
         b->setToolTip(
             tr("Zero at %1 X, %2 Y of the box, as seen from above").arg(places[i % 3], places[i / 3]));
+        b->setAccessibleName(b->toolTip());
         grid->addWidget(b, 2 - i / 3, i % 3);
         of_part_.push_back(b);
         connect(b, &QToolButton::clicked, this, [this, i] {

@@ -38,6 +38,7 @@ PlaceValueRow::PlaceValueRow(QWidget* parent) : QWidget(parent) {
            "and the lowest point; cutters and tolerances stay as they are."));
     value_ = new QDoubleSpinBox(this);
     value_->setObjectName(QStringLiteral("place_value"));
+    value_->setAccessibleName(tr("By how much"));
     value_->setKeyboardTracking(false);
     value_->setMinimumWidth(60);
     apply_ = new QToolButton(this);

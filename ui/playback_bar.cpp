@@ -81,6 +81,7 @@ void PlaybackBar::add_drive(QBoxLayout& row) {
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setObjectName(QStringLiteral("play_slider"));
     slider_->setMinimumWidth(80);
+    slider_->setAccessibleName(tr("Motion"));
     slider_->setFocusPolicy(Qt::TabFocus);
     slider_->setToolTip(tr("All motions of all operations"));
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { playback_.go_to(double(value)); });

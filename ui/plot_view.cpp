@@ -30,6 +30,7 @@ std::array<QColor, 3> lines_of(const Colors& colors) {
 
 PlotView::PlotView(QWidget* parent) : ChartView(parent) {
     setObjectName(QStringLiteral("plot_view"));
+    setAccessibleName(tr("Chart"));
     setMouseTracking(false);
 }
 

@@ -181,6 +181,7 @@ void ProjectTree::make_tree() {
     tree_ = new ProjectTreeView(document_, this);
     tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
+    tree_->setAccessibleName(tr("Project"));
     tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
     tree_->setFrameShape(QFrame::NoFrame);
@@ -281,6 +282,7 @@ QToolBar* ProjectTree::make_bar() {
     bar->setIconSize(QSize(16, 16));
     auto* add = new QToolButton(bar);
     add->setObjectName(QStringLiteral("add"));
+    add->setAccessibleName(tr("Add"));
     add->setIcon(icon(Icon::add));
     add->setToolTip(tr("Add an operation, a tool, a fixture, a boundary or a setup"));
     add->setPopupMode(QToolButton::InstantPopup);

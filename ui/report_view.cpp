@@ -67,6 +67,7 @@ QString note(const QString& text, const QColor& color) {
 
 ReportView::ReportView(Document& document, QWidget* parent) : QTextBrowser(parent), document_(document) {
     setObjectName(QStringLiteral("report"));
+    setAccessibleName(tr("Report"));
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
     this->document()->setDocumentMargin(8);

@@ -74,12 +74,14 @@ ToolLibraryDialog::ToolLibraryDialog(Document& document, std::filesystem::path f
     setWindowTitle(tr("Tool library"));
     filter_ = new QLineEdit(this);
     filter_->setObjectName(QStringLiteral("filter"));
+    filter_->setAccessibleName(tr("Words to look for"));
     filter_->setPlaceholderText(tr("Find by name, shape, material or library"));
     filter_->setClearButtonEnabled(true);
     connect(filter_, &QLineEdit::textChanged, this, &ToolLibraryDialog::show_tools);
 
     table_ = new QTableWidget(0, columns, this);
     table_->setObjectName(QStringLiteral("tools"));
+    table_->setAccessibleName(tr("Tools of the library"));
     table_->setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Shape"),
                                        tr("Diameter (%1)").arg(text(unit_name(document_.unit()))),
                                        tr("Flutes"), tr("Material"), tr("Feeds for"), tr("Library")});

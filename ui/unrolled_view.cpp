@@ -50,6 +50,7 @@ void draw_title(QPainter& p, const QString& text, double middle, double from, do
 
 UnrolledView::UnrolledView(QWidget* parent) : ChartView(parent) {
     setObjectName(QStringLiteral("unrolled_view"));
+    setAccessibleName(tr("Unrolled path"));
     setToolTip(
         tr("Click or drag: the tool goes there. Arrows: along the path. Wheel: zoom. Right drag: move. "
            "Double click, Home: all."));
