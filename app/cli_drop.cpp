@@ -1,5 +1,6 @@
 // facetmill-cli drop: axial lifts at given points.
 #include "app/cli_commands.h"
+#include "app/cli_mesh.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
 #include "core/base/strict_json.h"
@@ -145,8 +146,8 @@ void run_drop(const Arguments& arguments, Session& session) {
     if (arguments.has("--points"))
         given =
             read_points(arguments.value("--points"), 1e7 / per, progress.part(0.0, 0.05, "Reading points"));
-    const LoadedMesh loaded =
-        load_mesh(arguments.operand(0), unit, progress.part(0.05, 0.2, "Reading the part"));
+    const LoadedMesh loaded = load_mesh(arguments.operand(0), asked_reading(arguments),
+                                        progress.part(0.05, 0.2, "Reading the part"));
     const auto index =
         std::make_shared<const ContactIndex>(loaded.mesh, progress.part(0.2, 0.35, "Indexing the part"));
     const AxialLift lift(index, cutter);
@@ -221,14 +222,15 @@ Command drop_command() {
                 "has 'x y' on each line ('#' starts a comment). The lift is exact for the x and y that are "
                 "printed. A\n"
                 "cutter that meets nothing has z = -inf.",
-        .options = {{.name = "--cutter", .value = "SHAPE", .help = "the cutter", .required = true},
-                    {.name = "--grid", .value = "NXxNY", .help = "points on a grid over the part"},
-                    {.name = "--points", .value = "FILE", .help = "points from a file, or:"},
-                    {.name = "--units",
-                     .value = "UNIT",
-                     .help = "unit of all numbers: mm, cm, m, in, ft (default: mm)"},
-                    threads_option(),
-                    {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}},
+        .options = with_reading_options(
+            {{.name = "--cutter", .value = "SHAPE", .help = "the cutter", .required = true},
+             {.name = "--grid", .value = "NXxNY", .help = "points on a grid over the part"},
+             {.name = "--points", .value = "FILE", .help = "points from a file, or:"},
+             {.name = "--units",
+              .value = "UNIT",
+              .help = "unit of all numbers: mm, cm, m, in, ft (default: mm)"},
+             threads_option(),
+             {.name = "-o", .value = "FILE", .help = "the file to write", .required = true}}),
         .run = run_drop};
 }
 

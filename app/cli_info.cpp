@@ -1,5 +1,6 @@
 // facetmill-cli info: the honest account of a mesh file.
 #include "app/cli_commands.h"
+#include "app/cli_mesh.h"
 #include "app/cli_session.h"
 #include "core/base/strict_json.h"
 #include "core/mesh/mesh_io.h"
@@ -14,10 +15,10 @@ Json plain(double v) {
 }
 
 void run_info(const Arguments& arguments, Session& session) {
-    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
     const std::string path = arguments.operand(0);
-    const LoadedMesh loaded = load_mesh(path, unit, session.progress());
+    const LoadedMesh loaded = load_mesh(path, asked_reading(arguments), session.progress());
     const MeshReport& r = loaded.report;
+    const LengthUnit unit = r.assumed_unit;
 
     Json box = Json::array(), size = Json::array();
     for (double v : {r.file_box.lo.x(), r.file_box.lo.y(), r.file_box.lo.z(), r.file_box.hi.x(),
@@ -34,7 +35,7 @@ void run_info(const Arguments& arguments, Session& session) {
     out["format"] = r.format;
     out["name"] = r.name;
     out["units"] = std::string(unit_name(unit));
-    out["units_stated"] = arguments.has("--units");
+    out["units_stated"] = arguments.has("--units") || r.unit_known;
     out["units_guess"] = units_guess_name(r);
     out["facets"] = r.facets;
     out["facets_used"] = loaded.mesh->facet_count();
@@ -52,6 +53,12 @@ void run_info(const Arguments& arguments, Session& session) {
     out["non_manifold_edges"] = r.non_manifold_edges;
     out["non_manifold_vertices"] = r.non_manifold_vertices;
     out["inconsistent_edges"] = r.inconsistent_edges;
+    if (!r.objects.empty()) {
+        out["objects"] = Json::array();
+        for (const MeshObject& o : r.objects)
+            out["objects"].push_back(
+                Json{{"number", o.number}, {"name", o.name}, {"facets", o.facets}, {"read", o.read}});
+    }
     out["warnings"] = r.warnings;
     out["explanations"] = explanations;
     session.print(pretty_json(out));
@@ -63,14 +70,18 @@ Command info_command() {
     return {.name = "info",
             .operands = {"PART"},
             .summary = "Prints what a mesh file holds and what is wrong with it, as JSON.",
-            .help = "bbox, area and volume are in the file's own numbers; size_mm takes them as --units "
-                    "says. Degenerate\n"
+            .help = "bbox, area and volume are in the file's own numbers; size_mm takes them as units "
+                    "says, which is\n"
+                    "what the file states where it does, else --units. A picture (PNG, TIFF) is read as a "
+                    "relief, black its\n"
+                    "ground; objects lists those of a 3MF file. Degenerate\n"
                     "facets are left out of planning (facets_used), everything else is machined as it is; "
                     "each word in\n"
                     "warnings is explained in explanations.",
-            .options = {{.name = "--units",
-                         .value = "UNIT",
-                         .help = "unit of the file's numbers: mm, cm, m, in, ft (default: mm)"}},
+            .options = with_reading_options(
+                {{.name = "--units",
+                  .value = "UNIT",
+                  .help = "unit of the file's numbers, and of options: mm, cm, m, in, ft (default: mm)"}}),
             .run = run_info};
 }
 

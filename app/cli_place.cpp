@@ -1,5 +1,6 @@
 // facetmill-cli place: a placement that lays the part on a face.
 #include "app/cli_commands.h"
+#include "app/cli_mesh.h"
 #include "app/cli_session.h"
 #include "core/base/strict_json.h"
 #include "core/mesh/flat_face.h"
@@ -74,7 +75,8 @@ void run_place(const Arguments& arguments, Session& session) {
     const std::string& path = arguments.operand(0);
     use_threads(arguments);
     const Progress progress = session.progress();
-    const LoadedMesh loaded = load_mesh(path, unit, progress.part(0, 0.4, "Reading the part"));
+    const LoadedMesh loaded =
+        load_mesh(path, asked_reading(arguments), progress.part(0, 0.4, "Reading the part"));
     const OutwardSides sides = outward_sides(*loaded.mesh, progress.part(0.4, 0.7));
     const MeshPtr mesh = wound_outward(loaded.mesh, sides);
     const Choice choice = choose(*mesh, arguments.value("--on"), per, progress.part(0.7, 1));
@@ -118,7 +120,7 @@ Command place_command() {
                 "the part stays on,\n"
                 "in that order: tips_at is the tilt in degrees that it falls at, facing_down a share of "
                 "the surface.",
-        .options =
+        .options = with_reading_options(
             {{.name = "--on",
               .value = "FACE",
               .help =
@@ -131,7 +133,7 @@ Command place_command() {
              {.name = "--units",
               .value = "UNIT",
               .help = "unit of all lengths: mm, cm, m, in, ft (default: mm)"},
-             threads_option()},
+             threads_option()}),
         .run = run_place};
 }
 

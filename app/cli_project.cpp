@@ -21,8 +21,8 @@ void check_folder(const std::filesystem::path& folder) {
 OptionInfo set_option() {
     return {.name = "--set",
             .value = "NAME.key=value",
-            .help = "sets a parameter of an operation, or of programs (post=grbl), for this run, in the "
-                    "project's units",
+            .help = "sets a parameter of an operation, of the part (part.smoothing=0.02) or of programs "
+                    "(post=grbl), for this run, in the project's units",
             .repeated = true};
 }
 

@@ -1,5 +1,6 @@
 // facetmill-cli render: a picture of a part or a planned project, without a display.
 #include "app/cli_commands.h"
+#include "app/cli_mesh.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/error.h"
@@ -196,7 +197,7 @@ void run_render(const Arguments& arguments, Session& session) {
     const std::string fallback = project_given ? "part,stock,cl" : "part";
     request.layers =
         as_usage([&] { return parse_picture_layers(arguments.value("--show", fallback), "--show"); });
-    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
+    const MeshReading reading = asked_reading(arguments);
     use_threads(arguments);
 
     refuse_to_overwrite(input, arguments.value("-o"));
@@ -204,6 +205,7 @@ void run_render(const Arguments& arguments, Session& session) {
     if (project_given) {
         if (arguments.has("--units"))
             throw Error(ErrorCode::usage, "--units", "a project states its units", "leave --units out");
+        refuse_reading_options(arguments);
         const bool read_back = arguments.has("--cl") || arguments.has("--nc");
         const Project project = asked_setup(arguments, load_project(input), read_back);
         keep_inputs(project, arguments.value("-o"));
@@ -218,8 +220,9 @@ void run_render(const Arguments& arguments, Session& session) {
         for (const char* option : {"--op", "--cl", "--nc"})
             if (arguments.has(option))
                 throw Error(ErrorCode::usage, option, "a mesh has no operations", "give a project");
-        request.part = load_mesh(input, unit, progress.part(0.0, 0.5, "Reading the part")).mesh;
-        request.unit = project_unit(unit);
+        const LoadedMesh loaded = load_mesh(input, reading, progress.part(0.0, 0.5, "Reading the part"));
+        request.part = loaded.mesh;
+        request.unit = project_unit(loaded.report.assumed_unit);
         request.title = std::filesystem::path(input).filename().string();
     }
     const Picture picture = render_picture(request, progress.part(0.6, 0.95, "Drawing"));
@@ -254,28 +257,29 @@ Command render_command() {
             "the one\n"
             "in the middle). Of several setups the one of --setup or --op is shown, else the first. Views: "
             "iso, front, top, right, rear, bottom, left.",
-        .options = {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
-                    {.name = "--show",
-                     .value = "LAYERS",
-                     .help = "what to draw (default: part, of a project part,stock,cl)"},
-                    {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
-                    {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
-                    setup_option(),
-                    {.name = "--cl",
-                     .value = "FILE" + apt_writer().extension,
-                     .help = "shows this file instead of a plan, without planning; more than one in order",
-                     .repeated = true},
-                    nc_option(),
-                    post_option(),
-                    {.name = "--point",
-                     .value = "I",
-                     .help = "with --show cspace: number of the contact point, from 0"},
-                    {.name = "--units",
-                     .value = "UNIT",
-                     .help = "unit of a mesh file's numbers: mm, cm, m, in, ft (default: mm)"},
-                    threads_option(),
-                    large_option(),
-                    {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}},
+        .options = with_reading_options(
+            {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
+             {.name = "--show",
+              .value = "LAYERS",
+              .help = "what to draw (default: part, of a project part,stock,cl)"},
+             {.name = "--size", .value = "WxH", .help = "pixels (default: 1200x900)"},
+             {.name = "--op", .value = "NAME", .help = "plans and shows only this operation"},
+             setup_option(),
+             {.name = "--cl",
+              .value = "FILE" + apt_writer().extension,
+              .help = "shows this file instead of a plan, without planning; more than one in order",
+              .repeated = true},
+             nc_option(),
+             post_option(),
+             {.name = "--point",
+              .value = "I",
+              .help = "with --show cspace: number of the contact point, from 0"},
+             {.name = "--units",
+              .value = "UNIT",
+              .help = "unit of a mesh file's numbers: mm, cm, m, in, ft (default: mm)"},
+             threads_option(),
+             large_option(),
+             {.name = "-o", .value = "FILE.png", .help = "the file to write", .required = true}}),
         .run = run_render,
         .draws = true};
 }

@@ -83,7 +83,7 @@ function(facetmill_room name)
 endfunction()
 
 function(facetmill_compile_room name target variant)
-    target_link_libraries(${target} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP
+    target_link_libraries(${target} PUBLIC facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
         nlohmann_json::nlohmann_json Threads::Threads)
     # All rooms are compiled alike: the first makes the header of them all.
     list(GET FACETMILL_ROOMS 0 first)
@@ -138,7 +138,7 @@ function(facetmill_link_rooms_of variant target)
             target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
         endif()
     endforeach()
-    target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP
+    target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
         nlohmann_json::nlohmann_json Threads::Threads)
 endfunction()
 
@@ -218,7 +218,7 @@ function(facetmill_test name)
     add_library(${name}_objects OBJECT ${ARG_SOURCES})
     set_target_properties(${name}_objects PROPERTIES FACETMILL_TEST TRUE)
     facetmill_moc(${name}_objects ${ARG_SOURCES})
-    target_link_libraries(${name}_objects PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP
+    target_link_libraries(${name}_objects PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
         nlohmann_json::nlohmann_json Threads::Threads Qt6::Core Qt6::Test)
     target_compile_definitions(${name}_objects PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
     target_precompile_headers(${name}_objects REUSE_FROM facetmill_test_header)

@@ -36,8 +36,9 @@ QString wrong_with(const QString& path) {
     if (is_mesh(path) || is_project_file(path)) return {};
     if (!QImageReader::imageFormat(path).isEmpty())
         return QObject::tr(
-                   "“%1” is a picture, which says nothing of a part's shape: drop a project, or a mesh (%2).")
-            .arg(name, text(mesh_format_names(", ")));
+                   "“%1” is a picture of a kind that is not read as a relief: save it as PNG or TIFF, "
+                   "8 or 16 bits of grey.")
+            .arg(name);
     return {};
 }
 

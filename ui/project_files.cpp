@@ -256,13 +256,20 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
 void ProjectFiles::open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
     if (!unit) unit = settings::remembered_unit(path_text(path));
     if (!unit) unit = settings::usual_project().unit;
-    if (unit) {
-        read_mesh(path, *unit,
-                  [this, path, u = *unit](const LoadedPart& loaded) { take_mesh(path, u, loaded, {}); });
-        return;
-    }
-    // Read in millimetres first: that shows whether it is a mesh at all, and how large its numbers are.
-    read_mesh(path, LengthUnit::mm, [this, path](const LoadedPart& loaded) { ask_unit(path, loaded); });
+    // In millimetres where nothing is known: that shows whether it is a mesh at all, and how large its
+    // numbers are.
+    const LengthUnit read_in = unit.value_or(LengthUnit::mm);
+    read_mesh(path, read_in, [this, path, read_in, known = unit.has_value()](const LoadedPart& loaded) {
+        const MeshReport& report = loaded.part->report;
+        if (report.unit_known && report.assumed_unit != read_in)
+            read_mesh(path, report.assumed_unit, [this, path](const LoadedPart& again) {
+                take_mesh(path, again.part->report.assumed_unit, again, {});
+            });
+        else if (known || report.unit_known || report.is_relief)
+            take_mesh(path, read_in, loaded, {});
+        else
+            ask_unit(path, loaded);
+    });
 }
 
 void ProjectFiles::ask_unit(const std::filesystem::path& path, const LoadedPart& loaded) {

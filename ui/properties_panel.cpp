@@ -4,6 +4,7 @@
 #include "core/job/cutting_choice.h"
 #include "core/job/setting_remarks.h"
 #include "core/job/work_estimate.h"
+#include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "core/strategy/lathe/lathe.h"
@@ -208,6 +209,18 @@ QString scale_text(const PartSpec& part) {
     return PropertiesPanel::tr(
                "The part is %1 times as large as its file says; cutters and tolerances are not.")
         .arg(text(format_number(part.scale, 6)));
+}
+
+/// What the form of a part leaves out: its file, which is chosen elsewhere, and what says nothing of such a
+/// file.
+std::vector<std::string> hidden_part_keys(const PartSpec& part) {
+    const MeshFormat* format = mesh_format_named(part.file);
+    std::vector<std::string> hidden{"file"};
+    if (!format || !format->has_objects) hidden.emplace_back("objects");
+    if (format && (format->has_objects || format->is_picture)) hidden.emplace_back("units");
+    if (!format || !format->is_picture)
+        hidden.insert(hidden.end(), relief_keys().begin(), relief_keys().end());
+    return hidden;
 }
 
 /// The keys that a form does not show because they say nothing of this kind.
@@ -426,6 +439,9 @@ QString PropertiesPanel::shape() const {
     if (node_->kind == TreeNode::Kind::boundary && node_->index < document_.project().boundaries.size())
         shape += QChar('/') + text(boundary_kind_name(document_.project().boundaries[node_->index].kind))
                  + tools_text(document_.project());
+    if (node_->kind == TreeNode::Kind::part)
+        for (const std::string& key : hidden_part_keys(document_.project().part))
+            shape += QChar('/') + text(key);
     if (node_->kind == TreeNode::Kind::stock)
         shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
                  + (document_.part() ? QStringLiteral("/sized") : QString());
@@ -455,7 +471,7 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::part) {
         title = path_text(project.part_path().filename());
         PartSpec copy = project.part;
-        show(ParameterView<PartSpec>(copy, part_parameters()), {}, {"file"});
+        show(ParameterView<PartSpec>(copy, part_parameters()), {}, hidden_part_keys(copy));
         hint = scale_text(copy);
     } else if (node_->kind == Kind::stock) {
         title = tr("Stock");

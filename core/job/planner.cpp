@@ -364,8 +364,9 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const fs::path path = project.part_path();
     const PartSpec spec = project.placed_part();
     Key load_key;
-    load_key.add(std::string_view(file_stamp(path))).add(unit_name(project.part.unit));
-    const std::string part_key = mesh_key(path, MeshPlace::of(spec)) + (spec.flip ? "flip" : "");
+    load_key.add(std::string_view(file_stamp(path))).add(std::string_view(reading_key(spec.reading())));
+    const std::string part_key =
+        mesh_key(path, MeshPlace::of(spec)) + load_key.text() + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
     const bool rests = project.stock.kind == StockSpec::Kind::rest;
     const std::string stock_key = has_stock ? mesh_key(project.stock_path(), MeshPlace::of(project.stock))
@@ -374,7 +375,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
         if (!c.loaded || c.load_key != load_key.text()) {
-            LoadedMesh loaded = load_mesh(path, spec.unit, reading.part(0.0, 0.6, "Reading the part"));
+            LoadedMesh loaded = load_mesh(path, spec.reading(), reading.part(0.0, 0.6, "Reading the part"));
             ++c.work.loads;
             c.loaded = std::move(loaded);
             c.load_key = load_key.text();

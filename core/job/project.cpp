@@ -14,44 +14,6 @@ namespace facetmill {
 
 namespace fs = std::filesystem;
 
-const ParameterTable<PartSpec>& part_parameters() {
-    static const auto table = [] {
-        using K = ParameterKind;
-        ParameterTable<PartSpec> t;
-        t.add(&PartSpec::file, {.key = "file",
-                                .label = "File",
-                                .help = "The part's mesh (" + mesh_format_names()
-                                        + "); a relative path starts at the project file.",
-                                .kind = K::text,
-                                .stage = Stage::mesh,
-                                .required = "name the part's file"});
-        t.add_choice(&PartSpec::unit, mesh_unit_parameter());
-        t.add(&PartSpec::scale, scale_parameter("part"));
-        t.add_choice(&PartSpec::mirror, mirror_parameter("part"));
-        t.add(&PartSpec::flip,
-              {.key = "flip",
-               .label = "Flip",
-               .help = "Takes the other side of open surfaces as their outside. By itself that is the upper "
-                       "side of a sheet, and the side that is seen of what nearly closes; of closed bodies "
-                       "it is always the outside.",
-               .kind = K::boolean,
-               .stage = Stage::mesh});
-        t.add(&PartSpec::rotate, rotate_parameter("Turns the part about X, then Y, then Z (fixed axes)."));
-        t.add(&PartSpec::translate, translate_parameter("Moves the part after it was turned."));
-        t.add(&PartSpec::tessellation_tolerance, {.key = "tessellation_tolerance",
-                                                  .label = "Tessellation tolerance",
-                                                  .help = "How far the true surface may lie outside and "
-                                                          "inside the mesh. 0 takes the mesh as the part.",
-                                                  .kind = K::pair,
-                                                  .quantity = Quantity::length,
-                                                  .minimum = 0,
-                                                  .maximum = 1000,
-                                                  .stage = Stage::contact});
-        return t;
-    }();
-    return table;
-}
-
 namespace {
 
 fs::path from_project(const fs::path& project, const fs::path& file) {
@@ -450,6 +412,19 @@ bool apply_to_programs(Project& project, const SettingParts& parts, const std::s
     return found;
 }
 
+/// "part.smoothing=0.02"; false where it names nothing of the part.
+bool apply_to_part(Project& project, const SettingParts& parts, const std::string& shown) {
+    const std::string key(parts.key);
+    if (!parts.value || parts.name != "part" || !part_parameters().find(key)) return false;
+    ParameterView<PartSpec> part(project.part, part_parameters());
+    try {
+        part.set(key, part.parameter(key).parse(*parts.value, project.unit));
+    } catch (const Error& e) {
+        throw Error(e.code(), shown, e.message(), e.remedy());
+    }
+    return true;
+}
+
 } // namespace
 
 void apply_setting(Project& project, std::string_view setting) {
@@ -476,7 +451,8 @@ void apply_setting(Project& project, std::string_view setting) {
         }
     }
     const SettingParts parts = operation ? setting_parts(setting, length) : setting_parts(setting);
-    if (!operation && apply_to_programs(project, parts, shown)) return;
+    if (!operation && (apply_to_programs(project, parts, shown) || apply_to_part(project, parts, shown)))
+        return;
     if (!parts.value) usage("there is no '='");
     if (!operation) {
         if (!parts.name || parts.name->empty()) usage("there is no operation name before the key");

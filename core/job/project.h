@@ -4,6 +4,7 @@
 #include "core/base/parameter.h"
 #include "core/job/project_setup.h"
 #include "core/job/verify_limits.h"
+#include "core/mesh/mesh_reading.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/operation.h"
 
@@ -26,9 +27,18 @@ struct PartSpec {
     std::array<double, 3> rotate{0, 0, 0};              ///< radians about X, then Y, then Z (fixed axes)
     std::array<double, 3> translate{0, 0, 0};           ///< mm, after the rotation
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in; mm
+    std::string objects;                                ///< as MeshReading::objects
+    // Of a picture, mm; "auto" as Relief has it.
+    NumberOrWord picture_width{0.0, "auto"}, picture_length{0.0, "auto"}, relief_height{0.0, "auto"};
+    double smoothing = 0;
+    bool invert = false;
+
+    MeshReading reading() const;
 };
 
 const ParameterTable<PartSpec>& part_parameters();
+/// Keys of the parameters that say something of pictures alone.
+const std::vector<std::string>& relief_keys();
 
 /// Newest version of the project file that is read: key "facetmill".
 inline constexpr long project_version = 2;
@@ -103,6 +113,7 @@ void save_project(const Project& project, const std::filesystem::path& path);
 void check_project(const Project& project);
 
 /// "NAME.key=value" as on the command line; NAME is an operation's name or its place in the project, from 1.
+/// "part.key=value" sets what is said of the part, unless an operation is called "part".
 /// Keys of programs ("post=grbl", "wcs=G55") have a setup's name before them, or none: all setups' then.
 /// Only the one value is checked: `check_project` follows. Throws Error(usage, missing_reference,
 /// unknown_key, wrong_type, out_of_range); nothing changes then.

@@ -19,9 +19,8 @@ std::string_view content_of(std::string_view bytes, std::string_view but) {
 
 const std::vector<MeshFormat>& mesh_formats() {
     static const std::vector<MeshFormat> all = {
-        detail::stl_format(),
-        detail::obj_format(),
-        detail::ply_format(),
+        detail::stl_format(), detail::obj_format(),  detail::ply_format(),
+        detail::png_format(), detail::tiff_format(),
     };
     return all;
 }
@@ -32,6 +31,10 @@ const MeshFormat* mesh_format_of(std::string_view extension) {
             != format.extensions.end())
             return &format;
     return nullptr;
+}
+
+const MeshFormat* mesh_format_named(const std::string& file) {
+    return mesh_format_of(detail::lower_extension(file));
 }
 
 std::string mesh_format_names(std::string_view last) {

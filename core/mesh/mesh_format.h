@@ -24,12 +24,16 @@ struct MeshFormat {
     bool (*sniff)(std::string_view bytes);
     /// Throws Error as load_mesh says.
     detail::TriangleSoup (*read)(const detail::MeshSource& source, const Progress& progress);
+    bool is_picture = false;  ///< read as a relief, which is as large as the job says
+    bool has_objects = false; ///< files state their unit and hold objects, of which the job chooses
 };
 
 /// The commonest first.
 const std::vector<MeshFormat>& mesh_formats();
 /// The format of an extension (lower case, with the dot), or null.
 const MeshFormat* mesh_format_of(std::string_view extension);
+/// The same of a file's name, in whichever case its extension is.
+const MeshFormat* mesh_format_named(const std::string& file);
 /// "STL, OBJ, PLY", or with `last` = " or ": "STL, OBJ or PLY".
 std::string mesh_format_names(std::string_view last = ", ");
 
@@ -39,6 +43,8 @@ namespace detail {
 MeshFormat stl_format();
 MeshFormat obj_format();
 MeshFormat ply_format();
+MeshFormat png_format();
+MeshFormat tiff_format();
 
 } // namespace detail
 

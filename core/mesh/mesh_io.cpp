@@ -10,7 +10,6 @@
 #include "core/mesh/stl_records.h"
 #include "core/mesh/weld.h"
 
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -32,15 +31,6 @@ constexpr std::string_view foreign_extensions[] = {
 
 std::string unsupported_remedy() {
     return "export the part as " + mesh_format_names(" or ");
-}
-
-std::string lower_extension(const std::string& name) {
-    const std::size_t slash = name.find_last_of('/'), dot = name.find_last_of('.');
-    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
-    std::string extension = name.substr(dot);
-    for (char& c : extension)
-        c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
 }
 
 TriangleSoup read_soup(const MeshSource& source, const std::string& extension, const Progress& progress) {
@@ -141,7 +131,9 @@ bool floats_are_coarse(const Box3& box, double mm) {
 }
 
 /// Welds, leaves the degenerate facets out and fills the report.
-LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, const Progress& progress) {
+LoadedMesh finish(TriangleSoup& soup, const std::string& name, const MeshReading& reading,
+                  const Progress& progress) {
+    const LengthUnit unit = soup.unit.value_or(reading.unit.value_or(LengthUnit::mm));
     const double mm = mm_per(unit);
     const std::size_t facet_count = soup.facet_count();
     if (facet_count >= no_index / 3)
@@ -154,6 +146,10 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
     report.format = soup.format;
     report.name = soup.name;
     report.assumed_unit = unit;
+    report.unit_known = soup.unit.has_value();
+    report.is_relief = soup.is_relief;
+    report.objects = std::move(soup.objects);
+    if (soup.unit && reading.unit && *soup.unit != *reading.unit) soup.warnings.insert("unit_differs");
     report.facets = facet_count;
     report.welded_vertices = welded.points.size();
     report.file_box = box_of(welded.points, progress.part(0.55, 0.57));
@@ -191,15 +187,17 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, LengthUnit unit, 
 
 /// `release` lets the file go as soon as nothing is read from it any more: its pages count as memory.
 template <class Release>
-LoadedMesh read_and_finish(std::string_view bytes, const std::string& name, LengthUnit unit,
+LoadedMesh read_and_finish(std::string_view bytes, const std::string& name, const MeshReading& reading,
                            const Progress& progress, const Release& release) {
-    const MeshSource source{bytes, printable(name, 400), tolerance::largest_coordinate / mm_per(unit)};
+    const LengthUnit unit = reading.unit.value_or(LengthUnit::mm);
+    const MeshSource source{bytes, printable(name, 400), tolerance::largest_coordinate / mm_per(unit),
+                            reading};
     if (bytes.empty())
         throw Error(ErrorCode::empty_file, source.name, "the file is empty", "export or copy it again");
     try {
-        TriangleSoup soup = read_soup(source, lower_extension(name), progress.part(0.0, 0.4));
+        TriangleSoup soup = read_soup(source, detail::lower_extension(name), progress.part(0.0, 0.4));
         if (!soup.records) release();
-        return finish(soup, source.name, unit, progress.part(0.4, 1.0));
+        return finish(soup, source.name, reading, progress.part(0.4, 1.0));
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large, source.name, "the mesh does not fit into memory",
                     "export the part with a coarser tolerance");
@@ -208,14 +206,24 @@ LoadedMesh read_and_finish(std::string_view bytes, const std::string& name, Leng
 
 } // namespace
 
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
-                     const Progress& progress) {
-    return read_and_finish(bytes, name, unit, progress, [] {});
+std::string reading_key(const MeshReading& reading) {
+    std::string key(reading.unit ? unit_name(*reading.unit) : std::string_view());
+    const Relief& relief = reading.relief;
+    for (const std::optional<double>& v : {relief.width, relief.length, relief.height})
+        key += "|" + (v ? format_number(*v, 17) : std::string());
+    key += "|" + format_number(relief.smoothing, 17) + (relief.invert ? "|inverted" : "");
+    return key + "|" + reading.objects;
 }
 
-LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress) {
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const MeshReading& reading,
+                     const Progress& progress) {
+    return read_and_finish(bytes, name, reading, progress, [] {});
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& path, const MeshReading& reading,
+                     const Progress& progress) {
     std::optional<InputFile> file(path);
-    return read_and_finish(file->bytes(), path.string(), unit, progress, [&] { file.reset(); });
+    return read_and_finish(file->bytes(), path.string(), reading, progress, [&] { file.reset(); });
 }
 
 } // namespace facetmill

@@ -1,11 +1,13 @@
 // Meshes in and out. Readers of our own for every format of mesh_format.h; see mesh_report.h for what is
-// checked. Units: the files have none; `unit` says how to read them and the result is mm.
+// checked. Units: most files have none; the reading says how to take them, and the result is mm. A picture is
+// read as a relief: an open sheet over the rectangle from the origin to (width, length), its outside up.
 #pragma once
 
 #include "core/base/file.h"
 #include "core/base/progress.h"
 #include "core/base/units.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/mesh_reading.h"
 #include "core/mesh/mesh_report.h"
 
 #include <filesystem>
@@ -28,10 +30,10 @@ struct LoadedMesh {
 /// extension the content decides. A vertex that is not finite or far away, a file that was cut, text that is
 /// not quite the format: all are errors (see ErrorCode, "files") whose place names the file and the line,
 /// facet or vertex. Nothing is guessed but what a word in the report's warnings tells.
-LoadedMesh load_mesh(const std::filesystem::path& path, LengthUnit unit, const Progress& progress);
+LoadedMesh load_mesh(const std::filesystem::path& path, const MeshReading& reading, const Progress& progress);
 /// The same from memory; `name` stands for the path in messages and decides by its extension where content
 /// does not.
-LoadedMesh read_mesh(std::string_view bytes, const std::string& name, LengthUnit unit,
+LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const MeshReading& reading,
                      const Progress& progress);
 
 /// Binary STL (float, little endian, header never starting with "solid"), coordinates divided by

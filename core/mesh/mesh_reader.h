@@ -4,8 +4,11 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/mesh_reading.h"
+#include "core/mesh/mesh_report.h"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,6 +25,9 @@ struct TriangleSoup {
     std::set<std::string> warnings;
     bool single_precision = false; ///< coordinates are 32-bit floats, or text printed from them
     bool end_missing = false;      ///< the file may have been cut: only a mesh without open edges is believed
+    std::optional<LengthUnit> unit; ///< that the file states
+    bool is_relief = false;         ///< as MeshReport::is_relief
+    std::vector<MeshObject> objects;
 
     const char* records = nullptr; ///< first record of a binary STL file
     std::size_t record_count = 0;
@@ -72,12 +78,13 @@ private:
     std::size_t stretch_ = 1;
 };
 
-/// A file being read: its bytes, what to call it in messages, and the largest coordinate allowed in its own
-/// numbers.
+/// A file being read: its bytes, what to call it in messages, the largest coordinate allowed in its own
+/// numbers (where it states no unit), and what the job says of it.
 struct MeshSource {
     std::string_view bytes;
     std::string name;
     double coordinate_limit;
+    const MeshReading& reading;
 };
 
 /// Reads an STL text: it starts with "solid". Throws Error as load_mesh says.
@@ -94,6 +101,9 @@ bool is_text(std::string_view bytes);
 std::string_view foreign_content(std::string_view bytes);
 /// The same, or "an OBJ file" and the like for the content of a mesh format other than the one named `but`.
 std::string_view content_of(std::string_view bytes, std::string_view but);
+
+/// Extension of a file's name in small letters, with the dot; empty where there is none.
+std::string lower_extension(const std::string& name);
 
 /// How a stored facet normal relates to the winding of its facet.
 enum class NormalState { agrees, opposes, zero, unusable, oblique };

@@ -51,12 +51,27 @@ constexpr Sentence sentences[] = {
     {"non_manifold_edges", "Some edges have more than two facets; all facets were kept."},
     {"normals_disagree",
      "Some stored normals point against the winding of their facets; the winding counts."},
+    {"objects_left_out",
+     "Objects of the file that are no part of the model (supports, modifiers) were left out."},
     {"open_edges", "Some edges have only one facet: the mesh is a sheet or has gaps. Nothing was healed; a "
                    "cutter may enter a gap."},
+    {"picture_colours",
+     "The picture has colours: their brightness (0.2126 red, 0.7152 green, 0.0722 blue) is the height."},
+    {"picture_pages", "The file has further pictures; the first was read."},
+    {"picture_reduced", "The picture has more pixels than a mesh of it may have points (4 million): each "
+                        "point is a mean of the pixels around it."},
+    {"picture_size_assumed", "A picture does not say how large it is: where the job does not either, it was "
+                             "taken as 100 mm wide and 5 mm high."},
+    {"picture_steps", "The picture has 256 levels of grey or fewer, which become steps of the surface; "
+                      "smoothing takes them away."},
+    {"picture_transparent",
+     "Parts of the picture are transparent: the more so, the nearer they lie to the ground."},
     {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
     {"scaled", "The project scales the part: it is not as large as its file and unit say."},
     {"trailing_data", "Bytes follow the end of the mesh; they were ignored."},
+    {"unit_differs",
+     "The file states its own unit, which is not the one that the job says: that of the file counts."},
     {"unit_suspect", "The part is smaller than 1 mm or larger than 10 m: the file may be in another unit."},
     {"unknown_lines", "Lines that the format does not know were ignored."},
     {"unterminated_line",
@@ -251,7 +266,7 @@ void add_scale_warnings(MeshReport& report, const Box3& box) {
     auto& words = report.warnings;
     std::erase(words, "unit_suspect");
     words.emplace_back("scaled");
-    if (is_suspect(box.size().maxCoeff())) words.emplace_back("unit_suspect");
+    if (is_suspect(box.size().maxCoeff()) && !report.is_relief) words.emplace_back("unit_suspect");
     std::sort(words.begin(), words.end());
 }
 
@@ -304,22 +319,23 @@ void analyse_mesh(const Mesh& mesh, MeshReport& report, const Progress& progress
 
     const double extent = box.size().maxCoeff();
     const double numbers = extent / mm;
-    report.unit_guess = numbers < guess_metre_below  ? LengthUnit::m
-                        : numbers < guess_inch_below ? LengthUnit::inch
-                                                     : LengthUnit::mm;
+    report.unit_guess = report.unit_known || report.is_relief ? report.assumed_unit
+                        : numbers < guess_metre_below         ? LengthUnit::m
+                        : numbers < guess_inch_below          ? LengthUnit::inch
+                                                              : LengthUnit::mm;
 
     const auto warn = [&](bool condition, const char* word) {
         if (condition) report.warnings.emplace_back(word);
     };
     warn(report.degenerate > 0, "degenerate_facets");
     warn(report.duplicate > 0, "duplicate_facets");
-    warn(report.open_edges > 0, "open_edges");
+    warn(report.open_edges > 0 && !report.is_relief, "open_edges"); // a relief is a sheet
     warn(report.non_manifold_edges > 0, "non_manifold_edges");
     warn(report.inconsistent_edges > 0, "inconsistent_winding");
     warn(report.shells > 1, "multiple_shells");
     warn(report.open_edges == 0 && volume < -tolerance::flat_volume * 0.5 * sum.area * box.diagonal(),
          "inside_out");
-    warn(facet_count > 0 && is_suspect(extent), "unit_suspect");
+    warn(facet_count > 0 && is_suspect(extent) && !report.is_relief, "unit_suspect");
     std::sort(report.warnings.begin(), report.warnings.end());
     report.warnings.erase(std::unique(report.warnings.begin(), report.warnings.end()), report.warnings.end());
 }

@@ -11,9 +11,17 @@
 
 namespace facetmill {
 
+/// One of the objects that a file holds, by which one chooses (MeshReading::objects).
+struct MeshObject {
+    std::string number; ///< as the file counts it
+    std::string name;   ///< printable, at most 200 bytes; often empty
+    std::size_t facets = 0;
+    bool read = false; ///< it is in the mesh
+};
+
 struct MeshReport {
-    std::string format;       ///< "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary"
-    std::string name;         ///< the solid's name, printable, at most 200 bytes
+    std::string format; ///< "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary", "3MF", "PNG", "TIFF"
+    std::string name;   ///< the solid's name, printable, at most 200 bytes
     std::size_t facets = 0;   ///< triangles in the file, degenerate ones included
     std::size_t vertices = 0; ///< vertices of the mesh
     std::size_t welded_vertices =
@@ -34,6 +42,9 @@ struct MeshReport {
     /// lies.
     double file_area = 0.0, file_volume = 0.0;
     LengthUnit assumed_unit = LengthUnit::mm;
+    bool unit_known = false;         ///< the file states that unit
+    bool is_relief = false;          ///< a picture: an open sheet, as large as the job says
+    std::vector<MeshObject> objects; ///< at most `max_listed_objects`; none for formats without such
     /// By the largest extent in the file's own numbers: below `guess_metre_below` metres, below
     /// `guess_inch_below` inch, else mm. A guess to show, never acted on: an STL file has no unit.
     LengthUnit unit_guess = LengthUnit::mm;
@@ -46,6 +57,8 @@ struct MeshReport {
         return file_volume * mm_per(assumed_unit) * mm_per(assumed_unit) * mm_per(assumed_unit);
     }
 };
+
+inline constexpr std::size_t max_listed_objects = 1000;
 
 /// Parts of 10 mm and less are rarer than parts of 10 inch and less.
 inline constexpr double guess_inch_below = 10.0;

@@ -65,12 +65,23 @@ bool is_text(std::string_view bytes) {
     return !sample.empty() && odd * 50 < sample.size();
 }
 
+std::string lower_extension(const std::string& name) {
+    const std::size_t slash = name.find_last_of('/'), dot = name.find_last_of('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+    std::string extension = name.substr(dot);
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
 std::string_view foreign_content(std::string_view bytes) {
     struct Familiar {
         std::string_view start, what;
     };
     static constexpr Familiar familiar[] = {
         {"\x89PNG", "a PNG picture"},
+        {"II*", "a TIFF picture"},
+        {std::string_view("MM\0*", 4), "a TIFF picture"},
         {"\xFF\xD8\xFF", "a JPEG picture"},
         {"GIF8", "a GIF picture"},
         {"BM", "a BMP picture"},

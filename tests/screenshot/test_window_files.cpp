@@ -142,11 +142,11 @@ private slots:
             QTRY_VERIFY(!w().message_bar().message().isEmpty());
             QVERIFY(wait_until_settled(w()));
         };
-        const QString folder = QFileInfo(path).path(), picture = folder + QStringLiteral("/photo.png");
+        const QString folder = QFileInfo(path).path(), picture = folder + QStringLiteral("/photo.bmp");
         QVERIFY(w().viewport().grab().save(picture));
         const auto* part = w().document().part().get();
         drop_files({picture});
-        QVERIFY(w().message_bar().message().contains(QStringLiteral("“photo.png” is a picture")));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("“photo.bmp” is a picture")));
         shot(w(), QStringLiteral("window-dropped-picture"));
         drop_files({folder});
         QVERIFY(w().message_bar().message().contains(QStringLiteral("is a folder")));
