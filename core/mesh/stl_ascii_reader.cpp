@@ -83,7 +83,7 @@ private:
             facet();
             solid_is_empty_ = false;
             found_.ends_with_facet = true;
-        } else if (same_word(token, "endsolid")) {
+        } else if (same_word(token, "endsolid") || ends_in_two_words(token)) {
             in_solid_ = false;
             found_.empty_solid = found_.empty_solid || solid_is_empty_;
             skip_end_name();
@@ -104,6 +104,15 @@ private:
             found_.unknown_lines = true;
             skip_line(cursor_);
         }
+    }
+
+    /// "end solid", as some writers have it; the second word is passed.
+    bool ends_in_two_words(std::string_view token) {
+        if (!same_word(token, "end")) return false;
+        const std::size_t before = cursor_.position;
+        if (same_word(cursor_.token_in_line(), "solid")) return true;
+        cursor_.position = before;
+        return false;
     }
 
     /// Behind an endsolid: another solid, or bytes that belong to nothing.

@@ -3,6 +3,7 @@
 //   size = 84 + 50 count                      binary (also with the count's bytes reversed: big endian)
 //   starts with "solid" and is text           ASCII
 //   else binary with a wrong count:
+//     with every CR LF made LF again the size is right: damaged by a transfer as text
 //     walking `count` records of 50 + attribute bytes ends at the end of the file: attributes have a payload
 //     count 0, 0xFFFFFFFF or too small, and whole records to the end of the file: the size is right
 //     count too small and a rest of no whole record: the count is right, if what it covers looks like facets
@@ -118,6 +119,23 @@ std::vector<std::uint64_t> walk_payloads(std::string_view records, std::uint64_t
     return at == records.size() ? offsets : std::vector<std::uint64_t>{};
 }
 
+/// A transfer as text has put a CR before every LF, and without those the size is right.
+bool was_sent_as_text(std::string_view bytes, const Progress& progress) {
+    std::uint64_t pairs = 0;
+    std::size_t header = header_size; // with the CRs in it
+    for (std::size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
+        if (at == 0 || bytes[at - 1] != '\r') return false;
+        if (at <= header) ++header;
+        if ((++pairs & 0xFFFF) == 0) progress.check();
+    }
+    if (pairs == 0 || bytes.size() < header) return false;
+    std::string start;
+    for (std::size_t i = 0; i < header && start.size() < header_size; ++i)
+        if (bytes[i] != '\r' || i + 1 == bytes.size() || bytes[i + 1] != '\n') start += bytes[i];
+    return start.size() == header_size
+           && bytes.size() - pairs == header_size + StlRecord::size * announced_count(start);
+}
+
 /// Text without any zero byte: a cut binary file has some in its count.
 bool is_plain_text(std::string_view bytes) {
     return bytes.find('\0') == std::string_view::npos && is_text(bytes);
@@ -164,6 +182,10 @@ TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress)
         const auto what = content_of(bytes, "STL");
         if (!what.empty()) refuse_foreign(source, what);
         if (is_plain_text(bytes)) refuse_foreign(source, "a text that does not start with 'solid'");
+        if (was_sent_as_text(bytes, progress))
+            throw Error(ErrorCode::syntax, source.name,
+                        "a transfer as text has changed the binary file: there is a CR before every LF",
+                        "copy it again as binary (FTP: type binary; Git: mark *.stl as binary)");
         if (count < whole || (count == whole && ragged))
             soup.record_offsets = walk_payloads(body, count, progress);
         if (!soup.record_offsets.empty()) {
