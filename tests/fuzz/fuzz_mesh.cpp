@@ -1,4 +1,4 @@
-// The mesh readers, by the ending of a name: FUZZ_NAME is "a.stl", "a.obj" or "a.ply".
+// The mesh readers, by the ending of a name: FUZZ_NAME is "a.stl", "a.png" and so on.
 #include "core/mesh/mesh_io.h"
 #include "tests/fuzz/fuzz.h"
 
