@@ -43,6 +43,7 @@ namespace detail {
 MeshFormat stl_format();
 MeshFormat obj_format();
 MeshFormat ply_format();
+MeshFormat threemf_format();
 MeshFormat png_format();
 MeshFormat tiff_format();
 

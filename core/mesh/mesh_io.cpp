@@ -23,10 +23,9 @@ using detail::MeshSource;
 using detail::TriangleSoup;
 
 constexpr std::string_view foreign_extensions[] = {
-    ".3mf", ".step",   ".stp",  ".iges", ".igs", ".amf", ".off",     ".wrl", ".vrml",
-    ".x3d", ".dae",    ".gltf", ".glb",  ".fbx", ".3ds", ".dxf",     ".dwg", ".x_t",
-    ".x_b", ".sldprt", ".ipt",  ".prt",  ".sat", ".jt",  ".brep",    ".3dm", ".blend",
-    ".vtk", ".vtp",    ".zip",  ".gz",   ".nas", ".vda", ".catpart",
+    ".step", ".stp",  ".iges", ".igs",   ".amf", ".off", ".wrl", ".vrml",   ".x3d", ".dae", ".gltf",
+    ".glb",  ".fbx",  ".3ds",  ".dxf",   ".dwg", ".x_t", ".x_b", ".sldprt", ".ipt", ".prt", ".sat",
+    ".jt",   ".brep", ".3dm",  ".blend", ".vtk", ".vtp", ".zip", ".gz",     ".nas", ".vda", ".catpart",
 };
 
 std::string unsupported_remedy() {

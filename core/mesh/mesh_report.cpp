@@ -69,6 +69,8 @@ constexpr Sentence sentences[] = {
     {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
     {"scaled", "The project scales the part: it is not as large as its file and unit say."},
+    {"slices_ignored",
+     "Objects have slices beside their mesh, which may be a coarse stand-in for them; the mesh was read."},
     {"trailing_data", "Bytes follow the end of the mesh; they were ignored."},
     {"unit_differs",
      "The file states its own unit, which is not the one that the job says: that of the file counts."},

@@ -7,6 +7,7 @@
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
 #include "tests/unit/mesh/picture_support.h"
+#include "tests/unit/mesh/threemf_support.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -56,6 +57,10 @@ bool same_triangles(const Mesh& a, const Mesh& b, double tolerance = 0.0) {
         for (int k = 0; k < 3; ++k)
             if ((a.corner(f, k) - b.corner(f, k)).cwiseAbs().maxCoeff() > tolerance) return false;
     return true;
+}
+
+Mesh moved_box() {
+    return box_mesh(Vec3(100, 0, 0), Vec3(101, 1, 1));
 }
 
 #define COMPARE_TEXT(found, expected)                                                                        \
@@ -133,6 +138,7 @@ private slots:
                                              {"PLY", replaced_all(ascii_ply(box()), "\n", "\r\n")},
                                              {"PLY", binary_ply(box(), false)},
                                              {"PLY", binary_ply(box(), true)},
+                                             {"3MF", threemf_bytes({.objects = mesh_3mf(box())})},
                                              {"PNG", PngMaker().bytes()},
                                              {"TIFF", TiffMaker().bytes()}};
         std::set<std::string_view> names, extensions;
@@ -172,12 +178,12 @@ private slots:
     }
 
     void other_formats_are_refused_by_name_and_by_content() {
-        for (const char* name : {"a.step", "a.STP", "a.iges", "a.3mf", "a.sldprt", "a.amf", "a.off"})
+        for (const char* name : {"a.step", "a.STP", "a.iges", "a.sldprt", "a.amf", "a.off"})
             COMPARE_TEXT(outcome("ISO-10303-21;\nHEADER;\n", name), "unsupported_format");
         COMPARE_TEXT(outcome("ISO-10303-21;\nHEADER;\n", "part"), "unsupported_format");
         COMPARE_TEXT(outcome(std::string("PK\x03\x04", 4) + std::string(200, 'x'), "part"),
                      "unsupported_format");
-        QVERIFY(error_line("ISO-10303-21;\n", "x.step").find("STL, OBJ, PLY, PNG or TIFF")
+        QVERIFY(error_line("ISO-10303-21;\n", "x.step").find("STL, OBJ, PLY, 3MF, PNG or TIFF")
                 != std::string::npos);
         QVERIFY(error_line("ISO-10303-21;\n", "x").find("STEP") != std::string::npos);
         COMPARE_TEXT(outcome("", "a.obj"), "empty_file");
@@ -189,6 +195,42 @@ private slots:
         COMPARE_TEXT(outcome(obj_text(box()), "a.stl"), "not_stl");
         QVERIFY(error_line(obj_text(box()), "a.stl").find("OBJ") != std::string::npos);
         COMPARE_TEXT(outcome(binary_stl(box()), "a.obj"), "syntax");
+    }
+
+    /// As some writers have it; also before another solid, and as the name of nothing else.
+    void end_solid_in_two_words() {
+        const std::string text = ascii_stl(box());
+        for (const char* words : {"end solid", "END  SOLID", "end\tsolid"}) {
+            COMPARE_TEXT(outcome(replaced_all(text, "endsolid", words), "a.stl"), "ok");
+            COMPARE_TEXT(
+                outcome(replaced_all(text, "endsolid part", words) + ascii_stl(moved_box()), "a.stl"),
+                "ok,multiple_shells,multiple_solids");
+        }
+        // A sheet, which is no longer taken for a file that was cut.
+        std::string sheet = text;
+        const std::size_t begin = sheet.find("facet "), end = sheet.find("endfacet\n") + 9;
+        sheet.erase(begin, end - begin);
+        COMPARE_TEXT(outcome(replaced_all(sheet, "endsolid", "end solid"), "a.stl"), "ok,open_edges");
+        COMPARE_TEXT(outcome(replaced_all(sheet, "endsolid part", "end"), "a.stl"), "truncated");
+        COMPARE_TEXT(outcome(replaced_all(sheet, "endsolid part", "end\nsolid"), "a.stl"), "truncated");
+    }
+
+    /// Binary files in which a transfer as text has made every LF a CR LF.
+    void binary_stl_sent_as_text() {
+        std::size_t sent = 0;
+        for (const char* header : {"test", "solid test", "a line\nand another"})
+            for (Index around = 8; around < 40; ++around) {
+                const std::string sound = binary_stl(torus_mesh(around, 10), header);
+                COMPARE_TEXT(outcome(sound, "a.stl").substr(0, 2), "ok");
+                const std::string damaged = replaced_all(sound, "\n", "\r\n");
+                if (damaged == sound || sound.find("\r\n") != std::string::npos) continue;
+                ++sent;
+                const std::string line = error_line(damaged, "a.stl");
+                QVERIFY2(line.find("transfer as text") != std::string::npos, line.c_str());
+            }
+        QVERIFY(sent > 20);
+        // What merely has bytes behind its end, among them such pairs, is read on.
+        COMPARE_TEXT(outcome(binary_stl(box()) + "\r\n", "a.stl"), "ok,trailing_data");
     }
 
     void files_that_are_none() {
