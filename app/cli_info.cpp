@@ -14,6 +14,23 @@ Json plain(double v) {
     return json_number(v, "info");
 }
 
+/// Lengths in the file's unit, as everything else.
+Json surfaces_json(const SurfaceReport& s, double mm) {
+    Json out;
+    out["unit"] = s.unit;
+    out["chord_tolerance"] = plain(s.chord / mm);
+    out["angle_tolerance"] = plain(degrees(s.chord_angle));
+    out["deviation_out"] = plain(s.out / mm);
+    out["deviation_in"] = plain(s.in / mm);
+    out["faces"] = s.faces;
+    out["solids"] = s.solids;
+    out["loose_faces"] = s.loose_faces;
+    out["missing_faces"] = s.missing_faces;
+    out["part_count"] = s.part_count;
+    out["parts"] = s.parts;
+    return out;
+}
+
 void run_info(const Arguments& arguments, Session& session) {
     const std::string path = arguments.operand(0);
     const LoadedMesh loaded = load_mesh(path, asked_reading(arguments), session.progress());
@@ -59,6 +76,7 @@ void run_info(const Arguments& arguments, Session& session) {
             out["objects"].push_back(
                 Json{{"number", o.number}, {"name", o.name}, {"facets", o.facets}, {"read", o.read}});
     }
+    if (r.surfaces) out["surfaces"] = surfaces_json(*r.surfaces, mm_per(unit));
     out["warnings"] = r.warnings;
     out["explanations"] = explanations;
     session.print(pretty_json(out));
@@ -70,14 +88,17 @@ Command info_command() {
     return {.name = "info",
             .operands = {"PART"},
             .summary = "Prints what a mesh file holds and what is wrong with it, as JSON.",
-            .help = "bbox, area and volume are in the file's own numbers; size_mm takes them as units "
-                    "says, which is\n"
-                    "what the file states where it does, else --units. A picture (PNG, TIFF) is read as a "
-                    "relief, black its\n"
-                    "ground; objects lists those of a 3MF file. Degenerate\n"
-                    "facets are left out of planning (facets_used), everything else is machined as it is; "
-                    "each word in\n"
-                    "warnings is explained in explanations.",
+            .help =
+                "bbox, area and volume are in the file's own numbers; size_mm takes them as units "
+                "says, which is\n"
+                "what the file states where it does, else --units. A picture (PNG, TIFF) is read as a "
+                "relief, black its\n"
+                "ground; objects lists those of a 3MF file, surfaces what a STEP or IGES file holds and how "
+                "far its\n"
+                "surfaces lie outside and inside the facets. Degenerate\n"
+                "facets are left out of planning (facets_used), everything else is machined as it is; "
+                "each word in\n"
+                "warnings is explained in explanations.",
             .options = with_reading_options(
                 {{.name = "--units",
                   .value = "UNIT",

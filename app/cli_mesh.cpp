@@ -13,7 +13,7 @@ namespace {
 struct ReadingOption {
     const char *name, *key, *value, *help;
 };
-constexpr std::array<ReadingOption, 6> reading_options{{
+constexpr std::array<ReadingOption, 8> reading_options{{
     {"--objects", "objects", "NAMES",
      "3MF: objects by name or number, commas between (default: what is on the plate)"},
     {"--picture-width", "picture_width", "W", "PNG, TIFF: along X, first to last column (default: 100 mm)"},
@@ -21,6 +21,10 @@ constexpr std::array<ReadingOption, 6> reading_options{{
     {"--relief-height", "relief_height", "H", "PNG, TIFF: of white above black (default: 5 mm)"},
     {"--smoothing", "smoothing", "S", "PNG, TIFF: evened out, no height moved by more (default: 0)"},
     {"--invert", "invert", "", "PNG, TIFF: black is the top"},
+    {"--chord", "chord_tolerance", "T",
+     "STEP, IGES: how far facets may lie from surfaces (default: 0.01 mm)"},
+    {"--angle", "angle_tolerance", "DEGREES",
+     "STEP, IGES: how much normals side by side may differ (default: 10)"},
 }};
 
 } // namespace

@@ -9,7 +9,7 @@
 namespace facetmill::cli {
 
 /// The options with those put behind them that say how a mesh is read, beside --units: which objects of a 3MF
-/// file, and the relief of a picture.
+/// file, the relief of a picture, how closely facets follow the surfaces of a STEP or IGES file.
 std::vector<OptionInfo> with_reading_options(std::vector<OptionInfo> options);
 /// What they say; lengths are in --units. Throws Error(usage, out_of_range) that names the option.
 MeshReading asked_reading(const Arguments& arguments);

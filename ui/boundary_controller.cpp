@@ -1,6 +1,6 @@
 #include "ui/boundary_controller.h"
 
-#include "core/strategy/surface/boundary_region.h"
+#include "core/job/bounds.h"
 #include "ui/boundary_list.h"
 #include "ui/messages.h"
 #include "ui/text.h"
@@ -21,8 +21,8 @@ constexpr double first_radius_share = 0.03;
 /// They have the same facets and the same curve.
 bool same_region(const Boundary& a, const Boundary& b) {
     return a.kind == b.kind && a.invert == b.invert && a.facets == b.facets && a.of_facets == b.of_facets
-           && a.slope == b.slope && a.curve == b.curve && a.offset == b.offset && a.tool == b.tool
-           && a.more_than == b.more_than;
+           && a.faces == b.faces && a.slope == b.slope && a.curve == b.curve && a.offset == b.offset
+           && a.tool == b.tool && a.more_than == b.more_than;
 }
 
 /// Of the part's size, as a share: facets that are divided to be drawn within a boundary are no longer there.
@@ -35,9 +35,9 @@ std::vector<Vec3> corners_of(const Boundary& boundary) {
     return corners;
 }
 
-std::vector<char> facets_or_none(const Boundary& boundary, const Mesh& part) {
+std::vector<char> facets_or_none(const Boundary& boundary, const PreparedPart& part) {
     try {
-        return boundary_facets(boundary, part);
+        return boundary_facets(with_facets_of_faces(boundary, part), *part.mesh);
     } catch (const Error&) {
         return {}; // the form says why
     }
@@ -106,7 +106,7 @@ void BoundaryController::begin() {
     facets_.settings() = box_.settings();
     Boundary painted = *boundary;
     painted.invert = false;
-    std::vector<char> marks = facets_or_none(painted, *part);
+    std::vector<char> marks = facets_or_none(painted, *document_.part());
     if (marks.empty()) { // what does not fit is painted anew
         marks.resize(part->facet_count(), 0);
         viewport_.scene().boundaries().set(BoundaryRole::within,
@@ -205,7 +205,7 @@ void BoundaryController::show_role(BoundaryRole role, const Boundary* boundary) 
     if (!boundary)
         scene.set(role, {});
     else if (!is_looked_at_along_z(boundary->kind))
-        scene.set(role, facets_or_none(*boundary, *part->mesh));
+        scene.set(role, facets_or_none(*boundary, *document_.part()));
     else
         wanted_[std::size_t(role)] = true;
     viewport_.refresh();
@@ -266,7 +266,7 @@ void BoundaryController::change(BoundaryBox::Change change) {
     const Mesh& part = *document_.part()->mesh;
     Boundary painted = *boundary;
     painted.invert = false;
-    std::vector<char> marks = facets_or_none(painted, part);
+    std::vector<char> marks = facets_or_none(painted, *document_.part());
     marks.resize(part.facet_count(), 0);
     QString what;
     switch (change) {

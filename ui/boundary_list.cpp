@@ -9,7 +9,7 @@ namespace facetmill::ui {
 namespace {
 
 /// Names that boundaries begin with, by their kind.
-constexpr std::array<const char*, 5> first_names{"Painted", "Slope", "Curve", "Silhouette", "Rest"};
+constexpr std::array<const char*, 6> first_names{"Painted", "Slope", "Curve", "Silhouette", "Rest", "Faces"};
 
 std::string free_boundary_name(const Project& project, const std::string& wish) {
     return free_name(wish, [&](const std::string& name) {
@@ -100,6 +100,10 @@ void set_boundary_facets(Document& document, std::size_t i, const std::vector<ch
     });
 }
 
+void set_boundary_faces(Document& document, std::size_t i, const std::string& faces, const QString& what) {
+    document.change(what, [&](Project& p) { p.boundaries.at(i).faces = faces; });
+}
+
 void set_boundary_curve(Document& document, std::size_t i, const std::vector<CurveCorner>& curve,
                         const QString& what) {
     document.change(what, [&](Project& p) { p.boundaries.at(i).curve = curve; });
@@ -108,6 +112,9 @@ void set_boundary_curve(Document& document, std::size_t i, const std::vector<Cur
 QString boundary_extent(const Boundary& boundary) {
     if (boundary.kind == Boundary::Kind::curve)
         return Document::tr("%1 corners").arg(count_text(boundary.curve.size()));
+    if (boundary.kind == Boundary::Kind::faces)
+        return boundary.faces.empty() ? Document::tr("no faces yet")
+                                      : Document::tr("faces %1").arg(text(boundary.faces));
     if (boundary.kind != Boundary::Kind::facets) return {};
     const auto all = std::size_t(boundary.of_facets);
     try {

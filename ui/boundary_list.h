@@ -21,6 +21,8 @@ void rename_boundary(Document& document, std::size_t i, const std::string& name)
 /// What it says of another kind stays, to come back to.
 void set_boundary_kind(Document& document, std::size_t i, Boundary::Kind kind);
 /// Facets of the part as it was read, one mark for each; `what` names the step.
+/// `faces`: numbers of faces of the part's file, as a project has them.
+void set_boundary_faces(Document& document, std::size_t i, const std::string& faces, const QString& what);
 void set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
                          const QString& what);
 void set_boundary_curve(Document& document, std::size_t i, const std::vector<CurveCorner>& curve,

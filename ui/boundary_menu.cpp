@@ -22,6 +22,7 @@ constexpr BoundaryEntry boundary_entries[] = {
     {Boundary::Kind::silhouette, "boundary_silhouette",
      QT_TRANSLATE_NOOP("BoundaryMenu", "Silhouette of the part")},
     {Boundary::Kind::rest, "boundary_rest", QT_TRANSLATE_NOOP("BoundaryMenu", "What a tool leaves")},
+    {Boundary::Kind::faces, "boundary_faces", QT_TRANSLATE_NOOP("BoundaryMenu", "Faces of the file")},
 };
 
 QString boundary_label(const char* text) {

@@ -41,7 +41,7 @@ std::string part_key(const Project& project) {
         return key;
     };
     std::string key = placed(project.part_path(), project.placed_part());
-    key += "|" + reading_key(project.part.reading());
+    key += "|" + reading_key(project.part_reading());
     if (project.part.flip) key += "|flip";
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
         key += "|" + placed(stock, project.stock);

@@ -88,10 +88,21 @@ void ViewMenu::add_layers(QMenu& menu, bool on_part, bool on_path) {
                    show(ViewLayer::stock, !layers.shown(ViewLayer::stock)));
 }
 
-/// Found beside the window: of a large part it takes a moment.
+/// Found beside the window where the file names no faces: of a large part it takes a moment.
 void ViewMenu::bound_face(const PartPick& pick) {
     auto found = std::make_shared<std::vector<Index>>();
     const auto part = window_.document().part();
+    if (part->faces) {
+        Document& document = window_.document();
+        if (!document.part_is_current()) return;
+        document.undo_stack().beginMacro(tr("Boundary of a face"));
+        const std::size_t at = add_boundary(document, Boundary::Kind::faces);
+        set_boundary_faces(document, at, std::to_string(part->faces->at(pick.facet)),
+                           tr("Boundary of a face"));
+        document.undo_stack().endMacro();
+        window_.tree().select({TreeNode::Kind::boundary, at});
+        return;
+    }
     window_.job().start(
         tr("Looking for the face"),
         [found, part, facet = Index(pick.facet)](const Progress& progress) {

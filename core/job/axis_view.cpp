@@ -168,6 +168,8 @@ AxisView::AxisView(const PreparedPart& setup, const Project& project, const Oper
     auto turned = std::make_shared<PreparedPart>();
     turned->mesh = turned_mesh(setup.mesh, turn);
     turned->report = setup.report;
+    turned->faces = setup.faces;
+    turned->surface_deviation = setup.surface_deviation;
     turned->turned_facets = setup.turned_facets;
     turned->box = turned->mesh->box();
     turned->reach = reach_about_middle(*turned->mesh, turned->box);

@@ -63,11 +63,35 @@ std::string bounds_key(const Project& project, const Operation& operation) {
     return key.text();
 }
 
+Boundary with_facets_of_faces(const Boundary& boundary, const PreparedPart& part) {
+    if (boundary.kind != Boundary::Kind::faces) return boundary;
+    const std::string place = boundary_place(boundary.name);
+    if (!part.faces || !part.report.surfaces)
+        throw Error(ErrorCode::missing_reference, place,
+                    "it names faces, and the part's file has none: only STEP and IGES files do",
+                    "paint the boundary, or take the part from such a file");
+    std::vector<char> wanted(part.report.surfaces->faces, 0);
+    try {
+        for (const Index face : face_ranges(boundary.faces, wanted.size()))
+            wanted[face] = 1;
+    } catch (const Error& e) {
+        throw e.within(place);
+    }
+    std::vector<Index> facets;
+    for (std::size_t f = 0; f < part.faces->size(); ++f)
+        if (wanted[(*part.faces)[f]]) facets.push_back(Index(f));
+    Boundary made = boundary;
+    made.kind = Boundary::Kind::facets;
+    made.facets = facet_ranges_text(facets);
+    made.of_facets = long(part.faces->size());
+    return made;
+}
+
 std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Project& project, const Boundary& boundary,
                                                           const Progress& progress) {
     auto& kept = regions_[text_of(project, boundary)];
     if (kept) return kept;
-    Boundary turned = boundary;
+    Boundary turned = with_facets_of_faces(boundary, *prepared_);
     for (CurveCorner& corner : turned.curve) {
         const Vec3 at = turn_ * Vec3(corner.at[0], corner.at[1], corner.at[2]);
         corner.at = {at.x(), at.y(), at.z()};
@@ -110,6 +134,7 @@ OperationBounds BoundsCache::of(const Project& project, const Operation& operati
         part_ = part.mesh;
         held_ = held;
     }
+    prepared_ = &part;
     OperationBounds bounds{held.all, kept_fixtures(part, held.fixtures), nullptr};
     const OperationCommon& common = operation.common();
     if (!common.avoid.empty())

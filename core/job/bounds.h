@@ -20,6 +20,11 @@ struct OperationBounds {
 /// Another text where an operation's boundaries say something else. Empty where it names none.
 std::string bounds_key(const Project& project, const Operation& operation);
 
+/// A boundary that names faces of the part's file as one that has their facets; others as they are. Throws
+/// Error(missing_reference) where the file has no faces, Error(syntax, out_of_range); the place is "boundary
+/// 'NAME'".
+Boundary with_facets_of_faces(const Boundary& boundary, const PreparedPart& part);
+
 /// Boundaries of a part, each made once.
 class BoundsCache {
 public:
@@ -44,6 +49,7 @@ private:
 
     Mat3 turn_;
     MeshPtr part_;
+    const PreparedPart* prepared_ = nullptr; ///< while `of` runs
     Held held_;
     std::map<std::string, std::shared_ptr<const BoundaryRegion>> regions_;
     std::map<std::string, Held> avoided_;

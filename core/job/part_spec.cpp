@@ -1,6 +1,7 @@
 // What a project says of its part.
 #include "core/job/project.h"
 #include "core/mesh/mesh_format.h"
+#include "core/strategy/plan/shared_parameters.h"
 
 namespace facetmill {
 
@@ -55,6 +56,31 @@ void add_relief(ParameterTable<PartSpec>& t) {
                               .default_unwritten = true});
 }
 
+void add_surfaces(ParameterTable<PartSpec>& t) {
+    ParameterInfo chord = length_or_word_parameter(
+        {.key = "chord_tolerance",
+         .label = "Chord tolerance",
+         .help = "How far facets may lie from the surfaces of a STEP or IGES file. auto is a tenth of the "
+                 "finest tolerance of the operations; painted facets stay what they are where a length "
+                 "is given.",
+         .words = {"auto"},
+         .advanced = true,
+         .default_unwritten = true});
+    chord.stage = Stage::mesh;
+    t.add(&PartSpec::chord_tolerance, chord);
+    t.add(&PartSpec::angle_tolerance, {.key = "angle_tolerance",
+                                       .label = "Angle tolerance",
+                                       .help = "How much the normals of facets side by side may differ on a "
+                                               "surface of a STEP or IGES file.",
+                                       .kind = ParameterKind::number,
+                                       .quantity = Quantity::angle,
+                                       .minimum = radians(1),
+                                       .maximum = radians(60),
+                                       .stage = Stage::mesh,
+                                       .advanced = true,
+                                       .default_unwritten = true});
+}
+
 } // namespace
 
 const ParameterTable<PartSpec>& part_parameters() {
@@ -84,7 +110,9 @@ const ParameterTable<PartSpec>& part_parameters() {
         t.add(&PartSpec::tessellation_tolerance, {.key = "tessellation_tolerance",
                                                   .label = "Tessellation tolerance",
                                                   .help = "How far the true surface may lie outside and "
-                                                          "inside the mesh. 0 takes the mesh as the part.",
+                                                          "inside the mesh. 0 takes the mesh as the part; of "
+                                                          "STEP and IGES files what was measured counts, "
+                                                          "where that is more.",
                                                   .kind = K::pair,
                                                   .quantity = Quantity::length,
                                                   .minimum = 0,
@@ -99,6 +127,7 @@ const ParameterTable<PartSpec>& part_parameters() {
                .stage = Stage::mesh,
                .default_unwritten = true});
         add_relief(t);
+        add_surfaces(t);
         return t;
     }();
     return table;
@@ -116,6 +145,8 @@ MeshReading PartSpec::reading() const {
     };
     MeshReading reading = unit;
     reading.objects = objects;
+    if (chord_tolerance.is_number()) reading.chord = chord_tolerance.number;
+    reading.chord_angle = angle_tolerance;
     reading.relief = {stated(picture_width), stated(picture_length), stated(relief_height), smoothing,
                       invert};
     return reading;

@@ -283,7 +283,9 @@ PlanContext context_of(const Project& project, const PreparedPart& part, const S
     context.stock_box = stock.box;
     context.stock = stock;
     context.machine = project_machine(project);
-    context.tessellation_tolerance = project.part.tessellation_tolerance;
+    for (std::size_t k = 0; k < 2; ++k)
+        context.tessellation_tolerance[k] =
+            std::max(project.part.tessellation_tolerance[k], part.surface_deviation[k]);
     context.unit = project.unit;
     return context;
 }
@@ -364,7 +366,8 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const fs::path path = project.part_path();
     const PartSpec spec = project.placed_part();
     Key load_key;
-    load_key.add(std::string_view(file_stamp(path))).add(std::string_view(reading_key(spec.reading())));
+    const MeshReading how = project.part_reading();
+    load_key.add(std::string_view(file_stamp(path))).add(std::string_view(reading_key(how)));
     const std::string part_key =
         mesh_key(path, MeshPlace::of(spec)) + load_key.text() + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
@@ -375,7 +378,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
         if (!c.loaded || c.load_key != load_key.text()) {
-            LoadedMesh loaded = load_mesh(path, spec.reading(), reading.part(0.0, 0.6, "Reading the part"));
+            LoadedMesh loaded = load_mesh(path, how, reading.part(0.0, 0.6, "Reading the part"));
             ++c.work.loads;
             c.loaded = std::move(loaded);
             c.load_key = load_key.text();
@@ -388,6 +391,9 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         part->mesh = wound_outward(part->mesh, sides);
         part->turned_facets = sides.turned_facets;
         part->report = c.loaded->report;
+        part->faces = c.loaded->faces;
+        if (const auto& surfaces = part->report.surfaces)
+            part->surface_deviation = {surfaces->out * project.part.scale, surfaces->in * project.part.scale};
         part->box = part->mesh->box();
         if (project.part.scale != 1) add_scale_warnings(part->report, part->box);
         check_coordinates(part->box, "part");

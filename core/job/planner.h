@@ -23,6 +23,10 @@ struct KeptWithin; // boundary_region.h
 struct PreparedPart {
     MeshPtr mesh; ///< wound outward (core/mesh/outward.h)
     MeshReport report;
+    /// Number of the face of the file that each facet lies on; null for files without faces.
+    std::shared_ptr<const std::vector<Index>> faces;
+    /// How far the surfaces of the file lie outside and inside the mesh, at most; mm.
+    std::array<double, 2> surface_deviation{0, 0};
     std::size_t turned_facets = 0; ///< that were wound inward in the file
     std::shared_ptr<const MeshGeometry> geometry;
     Box3 box;

@@ -5,6 +5,7 @@
 #include "core/job/project_inputs.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
+#include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/surface/boundary_region.h"
 
 #include <algorithm>
@@ -24,6 +25,18 @@ fs::path from_project(const fs::path& project, const fs::path& file) {
 
 fs::path Project::part_path() const {
     return from_project(path, part.file);
+}
+
+MeshReading Project::part_reading() const {
+    constexpr double share = 0.1, finest = 5e-4, coarsest = 1; // mm
+    MeshReading reading = part.reading();
+    const MeshFormat* format = mesh_format_of(in_small_letters(fs::path(part.file).extension().string()));
+    if (!format || !format->has_surfaces || part.chord_tolerance.is_number()) return reading;
+    double tolerance = infinity;
+    for (const Operation* operation : all_operations(*this))
+        tolerance = std::min(tolerance, operation->common().tolerance);
+    if (tolerance < infinity) reading.chord = std::clamp(share * tolerance, finest, coarsest);
+    return reading;
 }
 
 fs::path Project::stock_path() const {

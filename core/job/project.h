@@ -32,6 +32,8 @@ struct PartSpec {
     NumberOrWord picture_width{0.0, "auto"}, picture_length{0.0, "auto"}, relief_height{0.0, "auto"};
     double smoothing = 0;
     bool invert = false;
+    NumberOrWord chord_tolerance{0.0, "auto"};  ///< of surfaces; mm, auto: see part_reading
+    double angle_tolerance = usual_chord_angle; ///< of surfaces; radians
 
     MeshReading reading() const;
 };
@@ -57,6 +59,10 @@ struct Project : Setup {
     std::shared_ptr<const TemporaryFolder> unpacked;
 
     std::filesystem::path part_path() const;
+    /// How the part's file is read. Facets follow the surfaces of a file that has such to a tenth of the
+    /// finest tolerance of all operations, where the part does not say itself how closely; other files are
+    /// read alike whatever operations say.
+    MeshReading part_reading() const;
     std::filesystem::path stock_path() const; ///< of the stock's file; empty where it has none
     /// File of a fixture that is a mesh; empty for others.
     std::filesystem::path fixture_path(const Fixture& fixture) const;

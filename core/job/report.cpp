@@ -184,6 +184,12 @@ Json report_of(const Project& project, const PlanResult& result, const std::vect
                           {"watertight", mesh.watertight},
                           {"box", box_json(result.part->box, per)},
                           {"warnings", mesh.warnings}};
+    if (const auto& surfaces = mesh.surfaces)
+        report["part"]["surfaces"] = Json{{"chord_tolerance", surfaces->chord / per},
+                                          {"deviation_out", result.part->surface_deviation[0] / per},
+                                          {"deviation_in", result.part->surface_deviation[1] / per},
+                                          {"faces", surfaces->faces},
+                                          {"solids", surfaces->solids}};
     report["stock"] = Json{{"kind", stock_kind_name(project.stock.kind)},
                            {"box", box_json(result.stock.box, per)},
                            {"warnings", result.stock_warnings}};

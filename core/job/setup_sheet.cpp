@@ -198,6 +198,11 @@ void Sheet::part_and_stock() {
     const Box3& part = plan_.part->box;
     fact("Part", project_.part.file);
     fact("Part's size", size(part));
+    if (plan_.part->report.surfaces)
+        fact("Facets for surfaces", "the surfaces of the file lie at most "
+                                        + length(plan_.part->surface_deviation[0]) + " outside and "
+                                        + length(plan_.part->surface_deviation[1])
+                                        + " inside the facets that were planned on");
     fact("Part from", point(part.lo));
     fact("Part to", point(part.hi));
     const StockSolid& stock = plan_.stock;

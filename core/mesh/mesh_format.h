@@ -24,8 +24,9 @@ struct MeshFormat {
     bool (*sniff)(std::string_view bytes);
     /// Throws Error as load_mesh says.
     detail::TriangleSoup (*read)(const detail::MeshSource& source, const Progress& progress);
-    bool is_picture = false;  ///< read as a relief, which is as large as the job says
-    bool has_objects = false; ///< files state their unit and hold objects, of which the job chooses
+    bool is_picture = false;   ///< read as a relief, which is as large as the job says
+    bool has_objects = false;  ///< files state their unit and hold objects, of which the job chooses
+    bool has_surfaces = false; ///< facets follow its surfaces as closely as MeshReading says
 };
 
 /// The commonest first.
@@ -46,6 +47,8 @@ MeshFormat ply_format();
 MeshFormat threemf_format();
 MeshFormat png_format();
 MeshFormat tiff_format();
+MeshFormat step_format();
+MeshFormat iges_format();
 
 } // namespace detail
 

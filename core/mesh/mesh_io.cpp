@@ -23,9 +23,9 @@ using detail::MeshSource;
 using detail::TriangleSoup;
 
 constexpr std::string_view foreign_extensions[] = {
-    ".step", ".stp",  ".iges", ".igs",   ".amf", ".off", ".wrl", ".vrml",   ".x3d", ".dae", ".gltf",
-    ".glb",  ".fbx",  ".3ds",  ".dxf",   ".dwg", ".x_t", ".x_b", ".sldprt", ".ipt", ".prt", ".sat",
-    ".jt",   ".brep", ".3dm",  ".blend", ".vtk", ".vtp", ".zip", ".gz",     ".nas", ".vda", ".catpart",
+    ".amf", ".off",   ".wrl", ".vrml", ".x3d",    ".dae", ".gltf", ".glb", ".fbx",     ".3ds",
+    ".dxf", ".dwg",   ".x_t", ".x_b",  ".sldprt", ".ipt", ".prt",  ".sat", ".jt",      ".brep",
+    ".3dm", ".blend", ".vtk", ".vtp",  ".zip",    ".gz",  ".nas",  ".vda", ".catpart",
 };
 
 std::string unsupported_remedy() {
@@ -99,6 +99,15 @@ std::size_t mark_degenerate(detail::WeldedCorners& welded, const Progress& progr
         [](std::size_t a, std::size_t b) { return a + b; });
 }
 
+/// The faces of the facets that are not marked.
+std::vector<Index> faces_of_rest(const std::vector<Facet>& facets, std::vector<Index> faces) {
+    std::size_t next = 0;
+    for (std::size_t f = 0; f < facets.size(); ++f)
+        if (facets[f][0] != no_index) faces[next++] = faces[f];
+    faces.resize(next);
+    return faces;
+}
+
 /// Removes the marked facets and the vertices that no other facet has; the order of the rest stays.
 void remove_marked(Mesh& mesh, const Progress& progress) {
     progress.check();
@@ -148,6 +157,7 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, const MeshReading
     report.unit_known = soup.unit.has_value();
     report.is_relief = soup.is_relief;
     report.objects = std::move(soup.objects);
+    report.surfaces = std::move(soup.surfaces);
     if (soup.unit && reading.unit && *soup.unit != *reading.unit) soup.warnings.insert("unit_differs");
     report.facets = facet_count;
     report.welded_vertices = welded.points.size();
@@ -160,6 +170,9 @@ LoadedMesh finish(TriangleSoup& soup, const std::string& name, const MeshReading
     auto mesh = std::make_shared<Mesh>();
     mesh->facets = std::move(welded.facets);
     mesh->vertices = std::move(welded.points);
+    if (!soup.faces.empty())
+        loaded.faces =
+            std::make_shared<const std::vector<Index>>(faces_of_rest(mesh->facets, std::move(soup.faces)));
     if (report.degenerate > 0) remove_marked(*mesh, progress);
     const Box3 box = report.box_mm();
     if (box.size().maxCoeff() < tolerance::smallest_extent)
@@ -211,6 +224,7 @@ std::string reading_key(const MeshReading& reading) {
     for (const std::optional<double>& v : {relief.width, relief.length, relief.height})
         key += "|" + (v ? format_number(*v, 17) : std::string());
     key += "|" + format_number(relief.smoothing, 17) + (relief.invert ? "|inverted" : "");
+    key += "|" + format_number(reading.chord, 17) + "|" + format_number(reading.chord_angle, 17);
     return key + "|" + reading.objects;
 }
 

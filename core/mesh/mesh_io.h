@@ -1,6 +1,8 @@
 // Meshes in and out. Readers of our own for every format of mesh_format.h; see mesh_report.h for what is
-// checked. Units: most files have none; the reading says how to take them, and the result is mm. A picture is
-// read as a relief: an open sheet over the rectangle from the origin to (width, length), its outside up.
+// Meshes in and out. Readers of our own for every format of mesh_format.h but those of surfaces; see
+// mesh_report.h for what is checked. Units: most files have none; the reading says how to take them, and the
+// result is mm. A picture is read as a relief: an open sheet over the rectangle from the origin to (width,
+// length), its outside up.
 #pragma once
 
 #include "core/base/file.h"
@@ -23,6 +25,8 @@ struct LoadedMesh {
     /// Degenerate facets are left out, duplicate ones kept; the rest stands in the order of the file with its
     /// winding, also where the report says inside_out: nothing is turned or healed.
     std::shared_ptr<const Mesh> mesh;
+    /// Number of the face of the file that each facet of the mesh lies on; null for formats without faces.
+    std::shared_ptr<const std::vector<Index>> faces;
     MeshReport report; ///< lengths in the file's own unit numbers where the field says so
 };
 

@@ -28,6 +28,7 @@ struct TriangleSoup {
     std::optional<LengthUnit> unit; ///< that the file states
     bool is_relief = false;         ///< as MeshReport::is_relief
     std::vector<MeshObject> objects;
+    std::optional<SurfaceReport> surfaces;
 
     const char* records = nullptr; ///< first record of a binary STL file
     std::size_t record_count = 0;
@@ -39,6 +40,7 @@ struct TriangleSoup {
     std::vector<Vec3> points;
     std::vector<Facet> facets;
     bool indexed = false;
+    std::vector<Index> faces; ///< of each facet the number of its face in the file; empty: there are none
 
     std::size_t facet_count() const {
         if (records) return record_count;

@@ -1,8 +1,10 @@
 // What a job says of a mesh file beside its place: the unit of its numbers, which of its objects are meant,
-// and how large the relief is that a picture is read as.
+// how large the relief is that a picture is read as, and how closely facets follow the surfaces of a file
+// that has such.
 #pragma once
 
 #include "core/base/units.h"
+#include "core/base/vec.h"
 
 #include <optional>
 #include <string>
@@ -21,6 +23,9 @@ struct Relief {
 
 /// Taken where nothing is said, mm; the report warns then.
 inline constexpr double usual_relief_width = 100, usual_relief_height = 5;
+/// Of the surfaces of STEP and IGES files where nothing is said: how far facets may lie from them (mm), and
+/// how much the normals of facets beside each other may differ on one surface.
+inline constexpr double usual_chord = 0.01, usual_chord_angle = 10 * pi / 180;
 
 struct MeshReading {
     MeshReading() = default;
@@ -33,6 +38,7 @@ struct MeshReading {
     /// file has on its build plate.
     std::string objects;
     Relief relief;
+    double chord = usual_chord, chord_angle = usual_chord_angle; ///< mm, radians; of surfaces
     bool operator==(const MeshReading&) const = default;
 };
 

@@ -35,6 +35,9 @@ constexpr Sentence sentences[] = {
     {"comma_decimal", "Numbers have decimal commas; they were read as such."},
     {"count_wrong",
      "The facet count in the header is wrong; the facets up to the end of the file were read."},
+    {"chord_exceeded",
+     "Some facets lie farther from their surface than the chord tolerance that was asked for; the "
+     "deviation says how far."},
     {"degenerate_facets", "Some facets have no area (equal or collinear corners); they were left out."},
     {"duplicate_facets", "Some facets occur more than once, in this or the other winding; all were kept."},
     {"empty_solid", "A solid without facets is in the file; it was ignored."},
@@ -44,6 +47,7 @@ constexpr Sentence sentences[] = {
     {"inside_out", "The mesh is closed but wound inside out; it was left so. Cutter contact does not depend "
                    "on the winding."},
     {"lines_ignored", "The file has points or lines beside its facets; they were ignored."},
+    {"loose_surfaces", "Surfaces of the file belong to no solid; they were taken as sheets."},
     {"missing_endsolid",
      "The word endsolid is missing; the mesh is closed, so the file was taken as complete."},
     {"multiple_shells", "The mesh consists of several pieces that share no edge; all are machined."},
@@ -68,9 +72,13 @@ constexpr Sentence sentences[] = {
      "Parts of the picture are transparent: the more so, the nearer they lie to the ground."},
     {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
+    {"several_bodies", "The file has several parts or solids; all are in their places."},
     {"scaled", "The project scales the part: it is not as large as its file and unit say."},
     {"slices_ignored",
      "Objects have slices beside their mesh, which may be a coarse stand-in for them; the mesh was read."},
+    {"surfaces_joined", "Surfaces that lie edge to edge within the chord tolerance were joined: the file "
+                        "does not say that they hang together."},
+    {"surfaces_missing", "Some surfaces of the file could not be tessellated: the mesh has gaps."},
     {"trailing_data", "Bytes follow the end of the mesh; they were ignored."},
     {"unit_differs",
      "The file states its own unit, which is not the one that the job says: that of the file counts."},

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/mesh/mesh.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,23 @@ struct MeshObject {
     bool read = false; ///< it is in the mesh
 };
 
+/// What a file of surfaces, STEP or IGES, held, and how its facets follow them.
+struct SurfaceReport {
+    std::string unit;                  ///< as the file names it
+    double chord = 0, chord_angle = 0; ///< that were asked for; mm, radians
+    double out = 0, in = 0;            ///< how far surfaces lie outside and inside the facets, at most; mm
+    std::size_t faces = 0;             ///< numbers of faces go from 0 to below this
+    std::size_t solids = 0;            ///< closed shells among them
+    std::size_t loose_faces = 0;       ///< of no solid: sheets
+    std::size_t missing_faces = 0;     ///< that could not be tessellated
+    std::size_t part_count = 0;        ///< different parts of an assembly
+    std::vector<std::string> parts;    ///< their names, printable, at most 1000
+};
+
 struct MeshReport {
-    std::string format; ///< "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary", "3MF", "PNG", "TIFF"
-    std::string name;   ///< the solid's name, printable, at most 200 bytes
+    /// "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary", "3MF", "PNG", "TIFF", "STEP", "IGES".
+    std::string format;
+    std::string name;         ///< the solid's name, printable, at most 200 bytes
     std::size_t facets = 0;   ///< triangles in the file, degenerate ones included
     std::size_t vertices = 0; ///< vertices of the mesh
     std::size_t welded_vertices =
@@ -45,6 +60,7 @@ struct MeshReport {
     bool unit_known = false;         ///< the file states that unit
     bool is_relief = false;          ///< a picture: an open sheet, as large as the job says
     std::vector<MeshObject> objects; ///< at most `max_listed_objects`; none for formats without such
+    std::optional<SurfaceReport> surfaces;
     /// By the largest extent in the file's own numbers: below `guess_metre_below` metres, below
     /// `guess_inch_below` inch, else mm. A guess to show, never acted on: an STL file has no unit.
     LengthUnit unit_guess = LengthUnit::mm;

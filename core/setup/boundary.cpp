@@ -37,9 +37,9 @@ const ParameterTable<Boundary>& boundary_parameters() {
                      {.key = "kind",
                       .label = "Kind",
                       .help = "What makes the region: painted facets, a range of slope, a "
-                              "closed curve drawn on the part, the part's outline, or what a tool "
-                              "leaves.",
-                      .words = {"facets", "slope", "curve", "silhouette", "rest"},
+                              "closed curve drawn on the part, the part's outline, what a tool leaves, "
+                              "or faces of a STEP or IGES file.",
+                      .words = {"facets", "slope", "curve", "silhouette", "rest", "faces"},
                       .stage = Stage::contact});
         t.add(&Boundary::facets, {.key = "facets",
                                   .label = "Facets",
@@ -56,6 +56,13 @@ const ParameterTable<Boundary>& boundary_parameters() {
                                      .minimum = 0,
                                      .maximum = 4e9,
                                      .stage = Stage::contact});
+        t.add(&Boundary::faces,
+              {.key = "faces",
+               .label = "Faces",
+               .help = "Numbers of faces of the part's file, counted from 0: 0-3, 7. They are "
+                       "the same however finely the file is tessellated.",
+               .kind = K::text,
+               .stage = Stage::contact});
         t.add(&Boundary::slope, {.key = "slope",
                                  .label = "Slope",
                                  .help = "From and to: 0 is level, 90 an upright wall, more an underside.",
@@ -112,12 +119,13 @@ const std::string& boundary_kind_name(Boundary::Kind kind) {
 }
 
 const std::vector<std::string>& boundary_keys(Boundary::Kind kind) {
-    static const std::array<std::vector<std::string>, 5> keys = {{
+    static const std::array<std::vector<std::string>, 6> keys = {{
         {"name", "kind", "facets", "of_facets", "invert"},
         {"name", "kind", "slope", "invert"},
         {"name", "kind", "curve", "offset", "invert"},
         {"name", "kind", "offset", "invert"},
         {"name", "kind", "tool", "more_than", "offset", "invert"},
+        {"name", "kind", "faces", "invert"},
     }};
     return keys[std::size_t(kind)];
 }
@@ -136,7 +144,14 @@ std::string facet_ranges_text(const std::vector<Index>& numbers) {
     return text;
 }
 
-std::vector<Index> facet_ranges(const std::string& text, std::size_t count) {
+namespace {
+
+/// What is counted: "facet", and what to do where there is no such.
+struct Counted {
+    std::string one, several, remedy;
+};
+
+std::vector<Index> number_ranges(const std::string& text, std::size_t count, const Counted& counted) {
     std::vector<Index> numbers;
     const char *at = text.data(), *const end = at + text.size();
     const auto skip = [&] {
@@ -144,8 +159,8 @@ std::vector<Index> facet_ranges(const std::string& text, std::size_t count) {
             ++at;
     };
     const auto wrong = [&](std::size_t from) -> Error {
-        return Error(ErrorCode::syntax, "facets",
-                     "'" + printable(text.substr(from, 20)) + "' is no number or range of facets",
+        return Error(ErrorCode::syntax, counted.several,
+                     "'" + printable(text.substr(from, 20)) + "' is no number or range of " + counted.several,
                      "write numbers and ranges in ascending order, as 0-57, 60");
     };
     const auto number = [&] {
@@ -154,9 +169,10 @@ std::vector<Index> facet_ranges(const std::string& text, std::size_t count) {
         const auto [next, error] = std::from_chars(at, end, n);
         if (error != std::errc()) throw wrong(from);
         if (n >= count)
-            throw Error(ErrorCode::out_of_range, "facets",
-                        "there is no facet " + std::to_string(n) + ": the part has " + std::to_string(count),
-                        "paint the boundary anew");
+            throw Error(ErrorCode::out_of_range, counted.several,
+                        "there is no " + counted.one + " " + std::to_string(n) + ": the part has "
+                            + std::to_string(count),
+                        counted.remedy);
         at = next;
         return Index(n);
     };
@@ -177,6 +193,16 @@ std::vector<Index> facet_ranges(const std::string& text, std::size_t count) {
         ++at;
     }
     return numbers;
+}
+
+} // namespace
+
+std::vector<Index> facet_ranges(const std::string& text, std::size_t count) {
+    return number_ranges(text, count, {"facet", "facets", "paint the boundary anew"});
+}
+
+std::vector<Index> face_ranges(const std::string& text, std::size_t count) {
+    return number_ranges(text, count, {"face", "faces", "name faces of the part's file"});
 }
 
 } // namespace facetmill

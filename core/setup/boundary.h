@@ -24,12 +24,14 @@ struct Boundary {
         curve,      ///< what lies in a closed curve, looked at along Z
         silhouette, ///< what lies in the part's outline, looked at along Z
         rest,       ///< what a tool leaves where it has been everywhere, looked at along Z
+        faces,      ///< faces of a file that has surfaces
     };
     std::string name = "Boundary";
     Kind kind = Kind::facets;
     /// facets: numbers of facets of the part's file from 0, in order: "0-57, 60" (facet_ranges_text).
     std::string facets;
     long of_facets = 0; ///< facets: how many the part had when they were painted
+    std::string faces;  ///< faces: their numbers in the part's file from 0, in order, as those of facets
     std::array<double, 2> slope{0, radians(30)};
     std::vector<CurveCorner> curve; ///< the last is joined to the first; z is only for showing it
     long tool = 0;                  ///< rest: its number
@@ -41,7 +43,7 @@ struct Boundary {
 const ParameterTable<CurveCorner>& curve_corner_parameters();
 inline constexpr RecordList<CurveCorner> curve_list{"curve", curve_corner_parameters};
 const ParameterTable<Boundary>& boundary_parameters();
-/// "facets", "slope", "curve", "silhouette", "rest".
+/// "facets", "slope", "curve", "silhouette", "rest", "faces".
 const std::string& boundary_kind_name(Boundary::Kind kind);
 /// Keys of the parameters that a kind has; the others say nothing of it.
 const std::vector<std::string>& boundary_keys(Boundary::Kind kind);
@@ -50,6 +52,8 @@ const std::vector<std::string>& boundary_keys(Boundary::Kind kind);
 /// Error(syntax) for what is no list of ascending ranges, Error(out_of_range) for a number not below `count`.
 std::string facet_ranges_text(const std::vector<Index>& numbers);
 std::vector<Index> facet_ranges(const std::string& text, std::size_t count);
+/// The same of faces; the text that `facet_ranges_text` gives.
+std::vector<Index> face_ranges(const std::string& text, std::size_t count);
 
 /// Where the tool may be, beside the contact: an operation's boundary keeps this within.
 enum class Containment : std::uint8_t {
