@@ -233,16 +233,31 @@ void ProjectFiles::show_project(Project project, const QString& name, bool unsav
     part_.reload();
 }
 
-void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
-                             std::function<void(LoadedPart)> then) {
-    auto loaded = std::make_shared<LoadedPart>();
+/// A project to read a part for.
+static Project probe_of(const std::filesystem::path& path, LengthUnit unit) {
     Project probe;
     probe.part.file = path.string();
     probe.part.unit = unit;
     probe.unit = project_unit(unit);
+    return probe;
+}
+
+static void write_sample(const std::string& name, const std::filesystem::path& path, LengthUnit unit,
+                         const Progress& progress) {
+    const MeshPtr mesh = make_sample(name, default_sample_tolerance, progress.part(0, 0.8, "Tessellating"));
+    std::error_code ec;
+    std::filesystem::create_directories(path.parent_path(), ec); // a failure shows when the file is written
+    save_stl(*mesh, path, unit, progress.part(0.8, 1, "Writing the part"));
+}
+
+void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
+                             std::function<void(LoadedPart)> then) {
+    auto loaded = std::make_shared<LoadedPart>();
     job_.start(
         tr("Reading %1").arg(elided(path_text(path.filename()), 30)),
-        [loaded, probe, planner = planner_](const Progress& p) { *loaded = load_part(*planner, probe, p); },
+        [loaded, probe = probe_of(path, unit), planner = planner_](const Progress& p) {
+            *loaded = load_part(*planner, probe, p);
+        },
         [this, loaded, path, then](const JobEnd& end) {
             if (end.done()) {
                 messages_.succeeded();
@@ -279,11 +294,7 @@ void ProjectFiles::ask_unit(const std::filesystem::path& path, const LoadedPart&
     connect(dialog, &QDialog::accepted, this, [this, dialog, path, loaded] {
         const LengthUnit unit = dialog->unit();
         if (dialog->remember()) settings::remember_unit(path_text(path), unit);
-        if (unit == LengthUnit::mm)
-            take_mesh(path, unit, loaded, {});
-        else
-            read_mesh(path, unit,
-                      [this, path, unit](const LoadedPart& again) { take_mesh(path, unit, again, {}); });
+        take_in_unit(path, LengthUnit::mm, unit, loaded);
     });
     dialog->open();
 }
@@ -298,20 +309,33 @@ static void take_usual(Project& project) {
     if (has(posts(), usual.post)) project.programs.post = usual.post;
 }
 
+/// Surfaces are tessellated as closely as the operations of a project want it.
+static bool is_read_as_planned(const MeshReport& report, const Project& project) {
+    return !report.surfaces || report.surfaces->chord == project.part_reading().chord;
+}
+
+static void tell_read(Messages& messages, const std::filesystem::path& path, const MeshReport& report) {
+    messages.information(
+        ProjectFiles::tr("Read %1: %2 facets.").arg(path_text(path.filename()), count_text(report.facets)),
+        false);
+    for (const std::string& word : report.warnings)
+        messages.warning(sentence(text(explain_warning(word))), false);
+}
+
 void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
                              const QString& name, bool turned) {
     Project project = turned ? default_turned_project(path, unit, loaded.part->box)
                              : default_project(path, unit, loaded.part->box);
     if (!turned) take_usual(project);
     loaded.key = Document::part_key(project);
+    const bool as_planned = is_read_as_planned(loaded.part->report, project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));
-    messages_.information(
-        tr("Read %1: %2 facets.").arg(path_text(path.filename()), count_text(loaded.part->report.facets)),
-        false);
-    for (const std::string& word : loaded.part->report.warnings)
-        messages_.warning(sentence(text(explain_warning(word))), false);
-    part_.show(loaded, true);
+    tell_read(messages_, path, loaded.part->report);
+    if (as_planned)
+        part_.show(loaded, true);
+    else
+        part_.reload();
     tree_.select({TreeNode::Kind::part, 0});
     emit settled();
 }
@@ -331,15 +355,8 @@ void ProjectFiles::new_from_sample(const std::string& name) {
     job_.start(
         tr("Making %1").arg(text(kind->label)),
         [=, planner = planner_](const Progress& p) {
-            const MeshPtr mesh = make_sample(name, default_sample_tolerance, p.part(0, 0.4, "Tessellating"));
-            std::error_code ec;
-            std::filesystem::create_directories(path.parent_path(),
-                                                ec); // a failure shows when the file is written
-            save_stl(*mesh, path, unit, p.part(0.4, 0.5, "Writing the part"));
-            Project probe;
-            probe.part.file = path.string();
-            probe.part.unit = probe.unit = unit;
-            *loaded = load_part(*planner, probe, p.part(0.5, 1));
+            write_sample(name, path, unit, p.part(0, 0.5));
+            *loaded = load_part(*planner, probe_of(path, unit), p.part(0.5, 1));
         },
         [this, loaded, path, unit, label = text(name), turned = kind->turned](const JobEnd& end) {
             if (!end.done()) return;

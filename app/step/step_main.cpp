@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <new>
 #include <utility>
@@ -150,12 +151,41 @@ void write_result(const std::string& path, const SurfaceFile& file, const Tessel
     out.close();
 }
 
+Error out_of_memory(const Request& request) {
+    return Error(ErrorCode::too_large, "",
+                 request.memory > 0 ? "it does not fit into the " + std::to_string(long(request.memory))
+                                          + " MB of memory that reading it may take"
+                                    : "it does not fit into memory",
+                 "allow a larger chord tolerance, or export the parts one by one");
+}
+
+/// Whether the memory that may be taken was as good as used up: the library leaves a surface out then and
+/// goes on.
+bool memory_ran_out(const Request& request) {
+    constexpr double share = 0.8;
+    std::ifstream status("/proc/self/status");
+    for (std::string word; request.memory > 0 && status >> word;)
+        if (double peak = 0; word == "VmPeak:" && status >> peak) return peak / 1024 > share * request.memory;
+    return false;
+}
+
+/// Surfaces that are left out for want of memory are no result.
+Tessellation tessellated(const SurfaceFile& file, const Request& request, StepProgress& progress) {
+    try {
+        Tessellation made = tessellate(file, request.chord, request.angle, progress);
+        if (made.missing_faces == 0 || !memory_ran_out(request)) return made;
+    } catch (const Error& e) {
+        if (e.code() != ErrorCode::no_facets || !memory_ran_out(request)) throw;
+    }
+    throw out_of_memory(request);
+}
+
 void run(const Request& request, StepProgress& progress) {
     // Messages of the library would stand between the lines.
     Message::DefaultMessenger()->ChangePrinters().Clear();
     OSD::SetSignal(Standard_False); // faults in it become exceptions where they can
     const SurfaceFile file = read_surface_file(request.input, request.format, request.chord, progress);
-    const Tessellation made = tessellate(file, request.chord, request.angle, progress);
+    const Tessellation made = tessellated(file, request, progress);
     write_result(request.output, file, made);
 }
 
@@ -164,14 +194,6 @@ int report(const StepProgress& progress, const Error& e) {
     progress.line("what " + one_line(e.message()));
     progress.line("remedy " + one_line(e.remedy()));
     return 1;
-}
-
-Error out_of_memory(const Request& request) {
-    return Error(ErrorCode::too_large, "",
-                 request.memory > 0 ? "it does not fit into the " + std::to_string(long(request.memory))
-                                          + " MB of memory that reading it may take"
-                                    : "it does not fit into memory",
-                 "allow a larger chord tolerance, or export the parts one by one");
 }
 
 int guarded_run(const Request& request, StepProgress& progress) {

@@ -23,7 +23,7 @@ struct Relief {
 
 /// Taken where nothing is said, mm; the report warns then.
 inline constexpr double usual_relief_width = 100, usual_relief_height = 5;
-/// Of the surfaces of STEP and IGES files where nothing is said: how far facets may lie from them (mm), and
+/// Where nothing is said of the surfaces of STEP and IGES files: how far facets may lie from them (mm), and
 /// how much the normals of facets beside each other may differ on one surface.
 inline constexpr double usual_chord = 0.01, usual_chord_angle = 10 * pi / 180;
 

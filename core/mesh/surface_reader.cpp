@@ -265,10 +265,21 @@ TriangleSoup take_result(std::string_view bytes, const MeshSource& source, const
     return soup;
 }
 
-void require_end(const MeshSource& source, std::string_view end, const std::string& what) {
-    const std::string_view& bytes = source.bytes;
-    if (bytes.substr(bytes.size() - std::min(bytes.size(), end_bytes)).find(end) != std::string_view::npos)
-        return;
+bool ends_as_step(std::string_view bytes) {
+    return bytes.substr(bytes.size() - std::min(bytes.size(), end_bytes)).find("END-ISO-10303-21")
+           != std::string_view::npos;
+}
+
+/// The last line is one of section T.
+bool ends_as_iges(std::string_view bytes) {
+    while (!bytes.empty() && (is_space(bytes.back()) || bytes.back() == '\0' || bytes.back() == '\x1A'))
+        bytes.remove_suffix(1);
+    const std::size_t end = bytes.find_last_of("\r\n");
+    const std::string_view last = end == std::string_view::npos ? bytes : bytes.substr(end + 1);
+    return last.size() > 72 && last[72] == 'T';
+}
+
+[[noreturn]] void fail_cut(const MeshSource& source, const std::string& what) {
     throw Error(ErrorCode::truncated, source.name, what + " is missing at its end",
                 "the file was cut: copy or export it again");
 }
@@ -284,7 +295,7 @@ void refuse_other(const MeshSource& source, bool is_one, const char* name, const
 
 TriangleSoup read_step_file(const MeshSource& source, const Progress& progress) {
     refuse_other(source, sniff_step(source.bytes), "STEP", "a STEP file");
-    require_end(source, "END-ISO-10303-21", "the line END-ISO-10303-21;");
+    if (!ends_as_step(source.bytes)) fail_cut(source, "the line END-ISO-10303-21;");
     TriangleSoup soup = read_surfaces(source, "step", {}, progress);
     soup.format = "STEP";
     return soup;
@@ -292,7 +303,7 @@ TriangleSoup read_step_file(const MeshSource& source, const Progress& progress) 
 
 TriangleSoup read_iges_file(const MeshSource& source, const Progress& progress) {
     refuse_other(source, sniff_iges(source.bytes), "IGES", "an IGES file");
-    require_end(source, "T      1", "the section T");
+    if (!ends_as_iges(source.bytes)) fail_cut(source, "the section T");
     TriangleSoup soup = read_surfaces(source, "iges", {}, progress);
     soup.format = "IGES";
     return soup;

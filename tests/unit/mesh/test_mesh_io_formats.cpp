@@ -1,5 +1,6 @@
 // Readers and writer format by format: what is accepted, what is refused and with which word, line and
 // warning.
+#include "core/base/text.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/exact_area.h"
 #include "core/mesh/mesh_format.h"
@@ -139,6 +140,8 @@ private slots:
                                              {"PLY", binary_ply(box(), false)},
                                              {"PLY", binary_ply(box(), true)},
                                              {"3MF", threemf_bytes({.objects = mesh_3mf(box())})},
+                                             {"STEP", "ISO-10303-21;\nHEADER;\n"},
+                                             {"IGES", std::string(72, ' ') + "S      1\n"},
                                              {"PNG", PngMaker().bytes()},
                                              {"TIFF", TiffMaker().bytes()}};
         std::set<std::string_view> names, extensions;
@@ -166,11 +169,13 @@ private slots:
                         QVERIFY(!format.sniff(sample.bytes.substr(0, n)));
         }
         for (const Sample& sample : samples) {
+            if (mesh_format_of("." + in_small_letters(std::string(sample.format)))->has_surfaces) continue;
             const LoadedMesh loaded = read(sample.bytes, "no extension");
             QVERIFY(loaded.report.format.starts_with(sample.format));
             QVERIFY(loaded.report.is_relief || same_triangles(*loaded.mesh, box(), 1e-12));
         }
-        QCOMPARE(mesh_format_of(".step"), nullptr);
+        QCOMPARE(mesh_format_of(".step"), mesh_format_of(".stp"));
+        QCOMPARE(mesh_format_of(".brep"), nullptr);
         QCOMPARE(mesh_format_of(""), nullptr);
         for (const MeshFormat& format : mesh_formats())
             QVERIFY(mesh_format_names().find(format.name) != std::string::npos);
@@ -178,12 +183,12 @@ private slots:
     }
 
     void other_formats_are_refused_by_name_and_by_content() {
-        for (const char* name : {"a.step", "a.STP", "a.iges", "a.sldprt", "a.amf", "a.off"})
+        for (const char* name : {"a.brep", "a.sldprt", "a.amf", "a.off"})
             COMPARE_TEXT(outcome("ISO-10303-21;\nHEADER;\n", name), "unsupported_format");
-        COMPARE_TEXT(outcome("ISO-10303-21;\nHEADER;\n", "part"), "unsupported_format");
+        COMPARE_TEXT(outcome("ISO-10303-21;\nHEADER;\n", "part"), "truncated");
         COMPARE_TEXT(outcome(std::string("PK\x03\x04", 4) + std::string(200, 'x'), "part"),
                      "unsupported_format");
-        QVERIFY(error_line("ISO-10303-21;\n", "x.step").find("STL, OBJ, PLY, 3MF, PNG or TIFF")
+        QVERIFY(error_line("ISO-10303-21;\n", "x.brep").find("STL, OBJ, PLY, 3MF, STEP, IGES, PNG or TIFF")
                 != std::string::npos);
         QVERIFY(error_line("ISO-10303-21;\n", "x").find("STEP") != std::string::npos);
         COMPARE_TEXT(outcome("", "a.obj"), "empty_file");
