@@ -328,11 +328,10 @@ void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit,
                              : default_project(path, unit, loaded.part->box);
     if (!turned) take_usual(project);
     loaded.key = Document::part_key(project);
-    const bool as_planned = is_read_as_planned(loaded.part->report, project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));
     tell_read(messages_, path, loaded.part->report);
-    if (as_planned)
+    if (is_read_as_planned(loaded.part->report, document_.project()))
         part_.show(loaded, true);
     else
         part_.reload();

@@ -102,7 +102,7 @@ void settle(std::array<gp_Pnt2d, 3>& parameters, const std::array<int, 3>& nodes
 } // namespace
 
 Deviation face_deviation(const TopoDS_Face& face, const Poly_Triangulation& facets, const TopLoc_Location& at,
-                         double so_far) {
+                         double chord) {
     const BRepAdaptor_Surface surface(face, Standard_False);
     Deviation deviation;
     if (surface.GetType() == GeomAbs_Plane || !facets.HasUVNodes()) return deviation;
@@ -122,7 +122,7 @@ Deviation face_deviation(const TopoDS_Face& face, const Poly_Triangulation& face
         facet.normal = cross.normalized();
         Deviation here;
         look_coarsely(facet, surface, here);
-        if (here.larger() > far_share * std::max(deviation.larger(), so_far))
+        if (here.larger() > far_share * std::max(deviation.larger(), chord))
             look_closely(facet, surface, here);
         deviation.add(here);
     }

@@ -23,7 +23,7 @@ struct Deviation {
 /// inside, more closely where it lies far from them; a tenth is added for what lies between those places.
 /// Plane faces have none.
 Deviation face_deviation(const TopoDS_Face& face, const Poly_Triangulation& facets, const TopLoc_Location& at,
-                         double so_far);
+                         double chord);
 /// Largest distance of an edge's curve from the chords that stand for it on a face, mm.
 double edge_deviation(const TopoDS_Edge& edge, const opencascade::handle<Poly_Triangulation>& facets,
                       const TopLoc_Location& at);

@@ -8,6 +8,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
+#include <OSD_Parallel.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -15,8 +16,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <numeric>
 
 namespace facetmill::step {
@@ -62,7 +65,8 @@ struct MeshedFace {
 
 class Tessellator {
 public:
-    Tessellator(const SurfaceFile& file, StepProgress& progress) : file_(file), progress_(progress) {}
+    Tessellator(const SurfaceFile& file, double chord, StepProgress& progress)
+        : file_(file), chord_(chord), progress_(progress) {}
 
     void mesh(double chord, double angle, const Message_ProgressRange& range) {
         IMeshTools_Parameters parameters;
@@ -91,6 +95,7 @@ private:
     void turn_bodies();
 
     const SurfaceFile& file_;
+    double chord_; ///< that is wanted
     StepProgress& progress_;
     std::vector<MeshedFace> faces_;
     std::size_t nodes_ = 0;
@@ -133,22 +138,29 @@ void Tessellator::measure() {
     progress_.stretch(0.85, 0.95, "Measuring the deviation");
     deviation_of_body_.assign(file_.bodies + 1, {});
     // Copies of a face have the same triangulation, and the same deviation.
-    std::map<std::pair<const void*, int>, Deviation> known;
-    std::map<int, double> of_edge;
-    edges_.Clear();
-    std::size_t done = 0;
-    double so_far = 0;
+    std::map<std::pair<const void*, int>, std::size_t> first;
+    std::vector<const MeshedFace*> measured;
+    std::vector<std::size_t> like;
     for (const MeshedFace& face : faces_) {
-        progress_.set(double(done++) / double(faces_.size()));
         const auto key =
             std::make_pair(static_cast<const void*>(face.facets.get()), int(face.placed->face.Orientation()));
-        auto found = known.find(key);
-        if (found == known.end())
-            found =
-                known.emplace(key, face_deviation(face.placed->face, *face.facets, face.at, so_far)).first;
-        deviation_of_body_[face.placed->body].add(found->second);
-        so_far = std::max(so_far, found->second.larger());
+        const auto [found, is_new] = first.emplace(key, measured.size());
+        if (is_new) measured.push_back(&face);
+        like.push_back(found->second);
     }
+    std::vector<Deviation> found(measured.size());
+    std::atomic<std::size_t> done{0};
+    std::mutex telling;
+    OSD_Parallel::For(0, int(measured.size()), [&](int i) {
+        const MeshedFace& face = *measured[std::size_t(i)];
+        found[std::size_t(i)] = face_deviation(face.placed->face, *face.facets, face.at, chord_);
+        const std::size_t now = ++done;
+        if (const std::unique_lock lock(telling, std::try_to_lock); lock)
+            progress_.set(double(now) / double(measured.size()));
+    });
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+        deviation_of_body_[faces_[f].placed->body].add(found[like[f]]);
+    edges_.Clear();
     for (const MeshedFace& face : faces_) {
         Deviation& body = deviation_of_body_[face.placed->body];
         for (TopExp_Explorer e(face.placed->face, TopAbs_EDGE); e.More(); e.Next()) {
@@ -252,7 +264,7 @@ void Tessellator::turn_bodies() {
 } // namespace
 
 Tessellation tessellate(const SurfaceFile& file, double chord, double angle, StepProgress& progress) {
-    Tessellator tessellator(file, progress);
+    Tessellator tessellator(file, chord, progress);
     double asked = chord;
     for (int i = 1;; ++i) {
         tessellator.mesh(asked, angle, progress.stretch(0.6, 0.85, "Tessellating"));
