@@ -30,14 +30,14 @@ constexpr Sentence sentences[] = {
     {"big_endian", "The binary STL file has its bytes in reverse order; it was read accordingly."},
     {"binary_solid_header",
      "The binary STL file starts with the word 'solid' like a text; it was read as binary."},
+    {"chord_exceeded",
+     "Some facets lie farther from their surface than the chord tolerance that was asked for; the "
+     "deviation says how far."},
     {"coarse_resolution", "The part lies so far from the origin (or is so large) that 32-bit coordinates are "
                           "more than 0.01 mm apart; export it near the origin."},
     {"comma_decimal", "Numbers have decimal commas; they were read as such."},
     {"count_wrong",
      "The facet count in the header is wrong; the facets up to the end of the file were read."},
-    {"chord_exceeded",
-     "Some facets lie farther from their surface than the chord tolerance that was asked for; the "
-     "deviation says how far."},
     {"degenerate_facets", "Some facets have no area (equal or collinear corners); they were left out."},
     {"duplicate_facets", "Some facets occur more than once, in this or the other winding; all were kept."},
     {"empty_solid", "A solid without facets is in the file; it was ignored."},
@@ -72,8 +72,8 @@ constexpr Sentence sentences[] = {
      "Parts of the picture are transparent: the more so, the nearer they lie to the ground."},
     {"polygons_folded", "Some polygons cross themselves; they were cut into triangles that overlap."},
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
-    {"several_bodies", "The file has several parts or solids; all are in their places."},
     {"scaled", "The project scales the part: it is not as large as its file and unit say."},
+    {"several_bodies", "The file has several parts or solids; all are in their places."},
     {"slices_ignored",
      "Objects have slices beside their mesh, which may be a coarse stand-in for them; the mesh was read."},
     {"surfaces_joined", "Surfaces that lie edge to edge within the chord tolerance were joined: the file "

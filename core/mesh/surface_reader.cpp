@@ -295,7 +295,7 @@ void refuse_other(const MeshSource& source, bool is_one, const char* name, const
 
 TriangleSoup read_step_file(const MeshSource& source, const Progress& progress) {
     refuse_other(source, sniff_step(source.bytes), "STEP", "a STEP file");
-    if (!ends_as_step(source.bytes)) fail_cut(source, "the line END-ISO-10303-21;");
+    if (!ends_as_step(source.bytes)) fail_cut(source, "the line END-ISO-10303-21; of a STEP file");
     TriangleSoup soup = read_surfaces(source, "step", {}, progress);
     soup.format = "STEP";
     return soup;
@@ -303,7 +303,7 @@ TriangleSoup read_step_file(const MeshSource& source, const Progress& progress) 
 
 TriangleSoup read_iges_file(const MeshSource& source, const Progress& progress) {
     refuse_other(source, sniff_iges(source.bytes), "IGES", "an IGES file");
-    if (!ends_as_iges(source.bytes)) fail_cut(source, "the section T");
+    if (!ends_as_iges(source.bytes)) fail_cut(source, "the section T of an IGES file");
     TriangleSoup soup = read_surfaces(source, "iges", {}, progress);
     soup.format = "IGES";
     return soup;
