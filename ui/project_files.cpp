@@ -268,22 +268,21 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
         });
 }
 
+/// The unit that a file is in, which may state it; none where the user has to be asked.
+static std::optional<LengthUnit> known_unit(const MeshReport& report, std::optional<LengthUnit> asked) {
+    if (report.unit_known) return report.assumed_unit;
+    return report.is_relief ? asked.value_or(LengthUnit::mm) : asked;
+}
+
 void ProjectFiles::open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
     if (!unit) unit = settings::remembered_unit(path_text(path));
     if (!unit) unit = settings::usual_project().unit;
-    // In millimetres where nothing is known: that shows whether it is a mesh at all, and how large its
-    // numbers are.
+    // Millimetres at first where nothing is known: they show how large the numbers are.
     const LengthUnit read_in = unit.value_or(LengthUnit::mm);
-    read_mesh(path, read_in, [this, path, read_in, known = unit.has_value()](const LoadedPart& loaded) {
-        const MeshReport& report = loaded.part->report;
-        if (report.unit_known && report.assumed_unit != read_in)
-            read_mesh(path, report.assumed_unit, [this, path](const LoadedPart& again) {
-                take_mesh(path, again.part->report.assumed_unit, again, {});
-            });
-        else if (known || report.unit_known || report.is_relief)
-            take_mesh(path, read_in, loaded, {});
-        else
-            ask_unit(path, loaded);
+    read_mesh(path, read_in, [this, path, unit, read_in](const LoadedPart& loaded) {
+        const std::optional<LengthUnit> known = known_unit(loaded.part->report, unit);
+        if (known == read_in) return take_mesh(path, read_in, loaded, {});
+        known ? open_mesh(path, known) : ask_unit(path, loaded);
     });
 }
 

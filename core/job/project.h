@@ -28,7 +28,7 @@ struct PartSpec {
     std::array<double, 3> translate{0, 0, 0};           ///< mm, after the rotation
     std::array<double, 2> tessellation_tolerance{0, 0}; ///< out, in; mm
     std::string objects;                                ///< as MeshReading::objects
-    // Of a picture, mm; "auto" as Relief has it.
+    // Pictures, mm; "auto" as Relief has it.
     NumberOrWord picture_width{0.0, "auto"}, picture_length{0.0, "auto"}, relief_height{0.0, "auto"};
     double smoothing = 0;
     bool invert = false;
