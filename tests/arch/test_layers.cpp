@@ -14,6 +14,7 @@ namespace {
 /// A place in the order; a file includes only places that are not above its own.
 const std::vector<std::string> order = {"core/base",
                                         "core/mesh",
+                                        "core/repair",
                                         "core/cutter",
                                         "core/setup",
                                         "core/tools",

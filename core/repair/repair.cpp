@@ -1,0 +1,95 @@
+#include "core/repair/repair.h"
+
+#include "core/base/error.h"
+#include "core/base/strict_json.h"
+#include "core/repair/repair_step.h"
+
+#include <string>
+
+namespace facetmill {
+
+namespace {
+
+using Kind = RepairStep::Kind;
+using Step = detail::StepResult (*)(const Mesh&, const RepairStep&, const Progress&);
+
+struct KindOfStep {
+    Step run;
+    const char* label;
+};
+
+const KindOfStep& kind_of_step(Kind kind) {
+    static constexpr KindOfStep all[] = {{detail::remove_pieces, "Removing small pieces"},
+                                         {detail::turn_facets, "Turning facets"},
+                                         {detail::remove_needles, "Removing needles"},
+                                         {detail::fill_holes, "Filling holes"},
+                                         {detail::smooth_noise, "Smoothing"},
+                                         {detail::decimate, "Decimating"},
+                                         {detail::cut_by_plane, "Cutting"},
+                                         {detail::thicken_sheet, "Thickening"},
+                                         {detail::remake_crossings, "Looking for crossings"}};
+    return all[std::size_t(kind)];
+}
+
+} // namespace
+
+std::size_t StepReport::count(const std::string& what) const {
+    for (const RepairCount& c : counts)
+        if (c.what == what) return c.count;
+    return 0;
+}
+
+Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress) {
+    check_recipe(recipe, repair_list.key);
+    Repaired result;
+    result.mesh = mesh;
+    for (std::size_t i = 0; i < recipe.size(); ++i) {
+        const RepairStep& step = recipe[i];
+        const KindOfStep& kind = kind_of_step(step.kind);
+        const double n = double(recipe.size());
+        detail::StepResult done =
+            kind.run(*result.mesh, step, progress.part(double(i) / n, double(i + 1) / n, kind.label));
+        if (done.mesh && done.mesh->facets.empty())
+            throw Error(ErrorCode::empty_result, strict::element(repair_list.key, i),
+                        "the step " + repair_kind_name(step.kind) + " leaves no facet",
+                        "give it a smaller limit");
+        if (done.mesh) result.mesh = std::move(done.mesh);
+        result.steps.push_back(
+            {step.kind, done.displacement, std::move(done.counts), result.mesh->facet_count()});
+    }
+    return result;
+}
+
+namespace detail {
+
+void drop_unused_vertices(Mesh& mesh, const Progress& progress) {
+    std::vector<Index> number(mesh.vertices.size(), no_index);
+    for (const Facet& f : mesh.facets)
+        for (const Index v : f)
+            number[v] = 0;
+    progress.check();
+    Index next = 0;
+    for (std::size_t v = 0; v < number.size(); ++v)
+        if (number[v] == 0) {
+            mesh.vertices[next] = mesh.vertices[v];
+            number[v] = next++;
+        }
+    mesh.vertices.resize(next);
+    progress.check();
+    for (Facet& f : mesh.facets)
+        for (Index& v : f)
+            v = number[v];
+}
+
+MeshPtr with_facets(const Mesh& mesh, const std::vector<char>& stays, const Progress& progress) {
+    auto rest = std::make_shared<Mesh>();
+    rest->vertices = mesh.vertices;
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f)
+        if (stays[f]) rest->facets.push_back(mesh.facets[f]);
+    drop_unused_vertices(*rest, progress);
+    return rest;
+}
+
+} // namespace detail
+
+} // namespace facetmill
