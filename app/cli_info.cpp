@@ -3,11 +3,14 @@
 #include "app/cli_mesh.h"
 #include "app/cli_session.h"
 #include "core/base/strict_json.h"
+#include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_io.h"
 
 namespace facetmill::cli {
 
 namespace {
+
+constexpr std::string_view project_extension = ".facetmill";
 
 /// Measured, not read: printed as it is. Whole numbers without a point.
 Json plain(double v) {
@@ -31,11 +34,23 @@ Json surfaces_json(const SurfaceReport& s, double mm) {
     return out;
 }
 
+/// The mesh itself, or the part of a project as its recipe leaves it.
+RepairedMesh read_part(const Arguments& arguments, const std::string& path, const Progress& progress) {
+    if (!path.ends_with(project_extension))
+        return load_repaired(path, asked_reading(arguments), {}, progress);
+    if (arguments.has("--units"))
+        throw Error(ErrorCode::usage, "--units", "a project says the unit of its part", "leave it out");
+    refuse_reading_options(arguments);
+    const Project project = load_project(path);
+    check_recipe(project.part.repair, "part.repair");
+    return load_repaired(project.part_path(), project.part_reading(), project.part.repair, progress);
+}
+
 void run_info(const Arguments& arguments, Session& session) {
     const std::string path = arguments.operand(0);
-    const LoadedMesh loaded = load_mesh(path, asked_reading(arguments), session.progress());
+    const RepairedMesh loaded = read_part(arguments, path, session.progress());
     const MeshReport& r = loaded.report;
-    const LengthUnit unit = r.assumed_unit;
+    const LengthUnit unit = r.assumed_unit; // of everything that is told
 
     Json box = Json::array(), size = Json::array();
     for (double v : {r.file_box.lo.x(), r.file_box.lo.y(), r.file_box.lo.z(), r.file_box.hi.x(),
@@ -77,6 +92,7 @@ void run_info(const Arguments& arguments, Session& session) {
                 Json{{"number", o.number}, {"name", o.name}, {"facets", o.facets}, {"read", o.read}});
     }
     if (r.surfaces) out["surfaces"] = surfaces_json(*r.surfaces, mm_per(unit));
+    if (!loaded.repairs.empty()) out["repair"] = repairs_json(loaded.repairs, unit);
     out["warnings"] = r.warnings;
     out["explanations"] = explanations;
     session.print(pretty_json(out));
@@ -98,7 +114,9 @@ Command info_command() {
                 "surfaces lie outside and inside the facets. Degenerate\n"
                 "facets are left out of planning (facets_used), everything else is machined as it is; "
                 "each word in\n"
-                "warnings is explained in explanations.",
+                "warnings is explained in explanations. PART may be a project: its part as its recipe "
+                "leaves it, and what the\n"
+                "recipe did.",
             .options = with_reading_options(
                 {{.name = "--units",
                   .value = "UNIT",

@@ -171,6 +171,7 @@ AxisView::AxisView(const PreparedPart& setup, const Project& project, const Oper
     turned->faces = setup.faces;
     turned->surface_deviation = setup.surface_deviation;
     turned->turned_facets = setup.turned_facets;
+    turned->repairs = setup.repairs;
     turned->box = turned->mesh->box();
     turned->reach = reach_about_middle(*turned->mesh, turned->box);
     turned->geometry = compute_geometry(*turned->mesh, progress);

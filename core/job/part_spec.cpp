@@ -128,6 +128,12 @@ const ParameterTable<PartSpec>& part_parameters() {
                .default_unwritten = true});
         add_relief(t);
         add_surfaces(t);
+        t.add_records(&PartSpec::repair, repair_list,
+                      {.label = "Repair",
+                       .help = "Steps that make the file's mesh worth machining, in their order, carried out "
+                               "again whenever the file has changed.",
+                       .stage = Stage::mesh,
+                       .nouns = {"step", "steps"}});
         return t;
     }();
     return table;

@@ -10,6 +10,7 @@
 #include "core/job/placed_mesh.h"
 #include "core/job/plan_remarks.h"
 #include "core/job/project_inputs.h"
+#include "core/job/repaired_mesh.h"
 #include "core/job/stock_so_far.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -208,7 +209,7 @@ struct Planner::Cache {
     };
 
     std::string load_key, part_key, stock_key, held_key; ///< stock_key: empty where its mesh is none
-    std::optional<LoadedMesh> loaded;
+    std::optional<RepairedMesh> loaded;
     std::shared_ptr<const PreparedPart> part;
     AxisView upright;
     std::vector<std::unique_ptr<AxisView>> indexed;
@@ -367,7 +368,10 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const PartSpec spec = project.placed_part();
     Key load_key;
     const MeshReading how = project.part_reading();
-    load_key.add(std::string_view(file_stamp(path))).add(std::string_view(reading_key(how)));
+    const std::string recipe = recipe_key(spec.repair);
+    load_key.add(std::string_view(file_stamp(path)))
+        .add(std::string_view(reading_key(how)))
+        .add(std::string_view(recipe));
     const std::string part_key =
         mesh_key(path, MeshPlace::of(spec)) + load_key.text() + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
@@ -378,7 +382,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
         if (!c.loaded || c.load_key != load_key.text()) {
-            LoadedMesh loaded = load_mesh(path, how, reading.part(0.0, 0.6, "Reading the part"));
+            RepairedMesh loaded = load_repaired(path, how, spec.repair, reading.part(0.0, 0.6));
             ++c.work.loads;
             c.loaded = std::move(loaded);
             c.load_key = load_key.text();
@@ -394,6 +398,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         part->faces = c.loaded->faces;
         if (const auto& surfaces = part->report.surfaces)
             part->surface_deviation = {surfaces->out * project.part.scale, surfaces->in * project.part.scale};
+        part->repairs = c.loaded->repairs;
         part->box = part->mesh->box();
         if (project.part.scale != 1) add_scale_warnings(part->report, part->box);
         check_coordinates(part->box, "part");

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/output/cl_program.h"
 #include "core/output/motion_time.h"
+#include "core/repair/repair.h"
 #include "core/setup/motion.h"
 #include "core/verify/program.h"
 
@@ -23,11 +24,13 @@ struct KeptWithin; // boundary_region.h
 struct PreparedPart {
     MeshPtr mesh; ///< wound outward (core/mesh/outward.h)
     MeshReport report;
-    /// Number of the face of the file that each facet lies on; null for files without faces.
+    /// Number of the face of the file that each facet lies on; null for files without faces and where a
+    /// recipe has changed the mesh.
     std::shared_ptr<const std::vector<Index>> faces;
     /// How far the surfaces of the file lie outside and inside the mesh, at most; mm.
     std::array<double, 2> surface_deviation{0, 0};
-    std::size_t turned_facets = 0; ///< that were wound inward in the file
+    std::size_t turned_facets = 0;   ///< that were wound inward in the file
+    std::vector<StepReport> repairs; ///< what the project's recipe did to the file's mesh
     std::shared_ptr<const MeshGeometry> geometry;
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder

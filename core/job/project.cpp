@@ -203,6 +203,7 @@ void check_mesh_file(const std::string& file, const std::string& what, const std
 void check_part(const Project& p) {
     check_struct(p.part, part_parameters(), "part", p.unit);
     check_mesh_file(p.part.file, "part", "part");
+    check_recipe(p.part.repair, "part.repair");
 }
 
 void check_stock(const Project& p) {

@@ -5,6 +5,7 @@
 #include "core/job/project_setup.h"
 #include "core/job/verify_limits.h"
 #include "core/mesh/mesh_reading.h"
+#include "core/repair/recipe.h"
 #include "core/setup/tool.h"
 #include "core/strategy/plan/operation.h"
 
@@ -36,6 +37,8 @@ struct PartSpec {
     double angle_tolerance = usual_chord_angle; ///< of surfaces; radians
 
     MeshReading reading() const;
+    std::vector<RepairStep>
+        repair; ///< carried out on the file's mesh before it is placed, each time it is read
 };
 
 const ParameterTable<PartSpec>& part_parameters();

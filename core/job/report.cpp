@@ -2,6 +2,7 @@
 
 #include "core/base/parameter_json.h"
 #include "core/base/strict_json.h"
+#include "core/job/repaired_mesh.h"
 #include "core/strategy/global_local/rework_plan.h"
 
 #include <cmath>
@@ -190,6 +191,8 @@ Json report_of(const Project& project, const PlanResult& result, const std::vect
                                           {"deviation_in", result.part->surface_deviation[1] / per},
                                           {"faces", surfaces->faces},
                                           {"solids", surfaces->solids}};
+    if (!result.part->repairs.empty())
+        report["part"]["repair"] = repairs_json(result.part->repairs, project.unit);
     report["stock"] = Json{{"kind", stock_kind_name(project.stock.kind)},
                            {"box", box_json(result.stock.box, per)},
                            {"warnings", result.stock_warnings}};

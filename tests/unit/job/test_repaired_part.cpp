@@ -1,0 +1,103 @@
+// A recipe in a project: read and written, carried out when the part is read, and again when file or recipe
+// change.
+#include "core/job/planner.h"
+#include "core/job/repaired_mesh.h"
+#include "core/mesh/mesh_io.h"
+#include "tests/support/dirty_scan.h"
+#include "tests/support/error_code.h"
+#include "tests/support/test_runner.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+
+using namespace facetmill;
+using facetmill::test::code_of;
+using facetmill::test::dirty_scan;
+
+namespace {
+
+const char* const steps = R"([{"kind": "pieces", "size": 6}, {"kind": "holes", "size": 10, "fill": "flat"}])";
+
+class ScanProject {
+public:
+    explicit ScanProject(std::uint64_t seed) { write_scan(seed); }
+
+    void write_scan(std::uint64_t seed) const {
+        save_stl(dirty_scan(30, 0.05, 4, 3, seed).mesh, at("scan.stl"), LengthUnit::mm, {});
+    }
+    std::string at(const char* name) const { return dir_.filePath(name).toStdString(); }
+    Project project(const std::string& repair) const {
+        std::ofstream(at("scan.facetmill"))
+            << R"({"facetmill": 1, "units": "mm", "part": {"file": "scan.stl", "units": "mm", "repair": )"
+            << repair << R"(}, "stock": {"kind": "box"}})";
+        return load_project(at("scan.facetmill"));
+    }
+
+private:
+    QTemporaryDir dir_;
+};
+
+} // namespace
+
+class TestRepairedPart : public QObject {
+    Q_OBJECT
+private slots:
+    void a_recipe_is_written_as_it_was_read() {
+        const ScanProject files(1);
+        const Project project = files.project(steps);
+        QCOMPARE(project.part.repair.size(), std::size_t(2));
+        QVERIFY(project.part.repair[1].fill == RepairStep::Fill::flat);
+        std::ofstream(files.at("again.facetmill")) << project_to_json(project);
+        const Project again = load_project(files.at("again.facetmill"));
+        QVERIFY(again.part.repair == project.part.repair);
+        QVERIFY(project_to_json(project).find("thickness")
+                == std::string::npos); // what is not said is not written
+        QVERIFY(project_to_json(files.project("[]")).find("repair") == std::string::npos);
+    }
+
+    void the_part_is_the_repaired_one() {
+        const ScanProject files(2);
+        Planner planner;
+        const auto bare = planner.prepare(files.project("[]"), {});
+        QVERIFY(!bare->report.watertight && bare->repairs.empty());
+        const auto part = planner.prepare(files.project(steps), {});
+        QVERIFY(part->report.watertight);
+        QCOMPARE(part->report.shells, std::size_t(1));
+        QCOMPARE(part->repairs.size(), std::size_t(2));
+        QCOMPARE(part->repairs[0].count("pieces_removed"), std::size_t(3));
+        QVERIFY(part->report.warnings.empty());
+    }
+
+    void it_runs_again_when_file_or_recipe_change_and_only_then() {
+        const ScanProject files(3);
+        Planner planner;
+        const Project project = files.project(steps);
+        const auto first = planner.prepare(project, {});
+        planner.prepare(files.project(steps), {});
+        QCOMPARE(planner.work().loads, 1);
+        planner.prepare(files.project(R"([{"kind": "pieces", "size": 6}])"), {});
+        QCOMPARE(planner.work().loads, 2);
+        files.write_scan(4);
+        std::filesystem::last_write_time(files.at("scan.stl"),
+                                         std::filesystem::last_write_time(files.at("scan.stl"))
+                                             + std::chrono::seconds(5));
+        const auto second = planner.prepare(project, {});
+        QCOMPARE(planner.work().loads, 3);
+        QVERIFY(second->report.watertight);
+        QVERIFY(second->mesh->vertices != first->mesh->vertices);
+    }
+
+    void a_bad_recipe_names_its_place() {
+        const ScanProject files(5);
+        std::string message;
+        const Project project = files.project(R"([{"kind": "smooth"}])");
+        QCOMPARE(code_of([&] { check_project(project); }, &message), std::string("missing_key"));
+        QVERIFY2(message.find("part.repair[0].bound") != std::string::npos, message.c_str());
+        QCOMPARE(code_of([&] { files.project(R"([{"kind": "polish"}])"); }), std::string("out_of_range"));
+    }
+};
+
+FACETMILL_TEST(TestRepairedPart)
+#include "test_repaired_part.moc"
