@@ -112,6 +112,13 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
     return all;
 }
 
+std::vector<std::pair<std::string, std::string>> Arguments::given() const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const Given& g : given_)
+        all.emplace_back(g.option, g.value);
+    return all;
+}
+
 double Arguments::number(std::string_view option, double fallback) const {
     if (!has(option)) return fallback;
     double v = 0;

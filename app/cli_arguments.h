@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace facetmill::cli {
@@ -44,6 +45,8 @@ public:
     /// Its value; the fallback when it was not given.
     std::string value(std::string_view option, const std::string& fallback = {}) const;
     std::vector<std::string> values(std::string_view option) const;
+    /// All options and their values in the order in which they were given.
+    std::vector<std::pair<std::string, std::string>> given() const;
     /// A number; the fallback when the option was not given.
     double number(std::string_view option, double fallback) const;
     LengthUnit unit(std::string_view option, LengthUnit fallback) const;

@@ -8,6 +8,7 @@ namespace facetmill::cli {
 Command info_command();
 Command sample_command();
 Command place_command();
+Command repair_command();
 Command plan_command();
 Command simulate_command();
 Command cspace_command();
