@@ -20,7 +20,7 @@ HoleFiller::HoleFiller(const Mesh& source, const Progress& progress)
 bool HoleFiller::fill(const Hole& hole, RepairStep::Fill kind, Mesh& mesh, const Progress& progress) {
     const PatchRim rim = rim_of(hole);
     auto patch = flat_patch(rim, progress);
-    if (!patch || patch->least_fold > back_fold) return false;
+    if (!patch || patch->min_fold > back_fold) return false;
     if (kind == RepairStep::Fill::smooth) fair_patch(*patch, rim, progress);
     const auto first = Index(mesh.vertices.size());
     const std::size_t corners = hole.loop.size();

@@ -313,7 +313,7 @@ std::optional<Patch> flat_patch(const PatchRim& rim, const Progress& progress) {
         patch.facets.clear();
         if (!lay_flat(rim, progress, patch.facets)) return std::nullopt;
     }
-    patch.least_fold = pi;
+    patch.min_fold = pi;
     const std::size_t n = rim.points.size();
     for (const Facet& f : patch.facets)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -321,7 +321,7 @@ std::optional<Patch> flat_patch(const PatchRim& rim, const Progress& progress) {
             if (b != (a + 1) % n) continue;
             const Vec3 normal =
                 (patch.points[f[1]] - patch.points[f[0]]).cross(patch.points[f[2]] - patch.points[f[0]]);
-            patch.least_fold = std::min(patch.least_fold, angle_between(normal, rim.normals[a]));
+            patch.min_fold = std::min(patch.min_fold, angle_between(normal, rim.normals[a]));
         }
     return patch;
 }

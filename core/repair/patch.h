@@ -25,7 +25,7 @@ struct PatchRim {
 struct Patch {
     std::vector<Vec3> points;
     std::vector<Facet> facets;
-    double least_fold =
+    double min_fold =
         0; ///< least angle between a facet and the one beyond the rim's side; 0: it goes straight on
 };
 
