@@ -31,7 +31,7 @@ QString posture_reason_text(const FiveAxisStudy& study, const FiveAxisStudy::Poi
     const auto limit = [&](double v) {
         return std::isfinite(v) ? lift_text(v, unit) : QString(v > 0 ? QChar(0x221E) : QChar(0x2013));
     };
-    line += QObject::tr("; bottom %1, top %2").arg(limit(reason.bottom), limit(reason.top));
+    line += QObject::tr("; lowest lift %1, highest %2").arg(limit(reason.bottom), limit(reason.top));
     return line;
 }
 

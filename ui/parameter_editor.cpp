@@ -3,6 +3,7 @@
 #include "ui/elided_label.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/value_words.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -133,7 +134,7 @@ public:
         combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo_->lineEdit()->setMaxLength(200);
         for (const auto& word : info.words)
-            combo_->addItem(text(word));
+            combo_->addItem(shown_word(info, word));
         new WheelGuard(combo_);
         connect(combo_->lineEdit(), &QLineEdit::textEdited, this, [this] {
             touched_ = true;
@@ -154,10 +155,10 @@ public:
         if (const auto* d = std::get_if<double>(&value))
             combo_->setEditText(shown_number(*d, info_, unit));
         else
-            combo_->setEditText(text(std::get<std::string>(value)));
+            combo_->setEditText(shown_word(info_, std::get<std::string>(value)));
         combo_->lineEdit()->setCursorPosition(0);
     }
-    QString entered() const override { return combo_->currentText(); }
+    QString entered() const override { return word_of(info_, combo_->currentText()); }
     bool touched() const override { return touched_; }
     void mark(bool invalid) override { mark_line(combo_->lineEdit(), invalid); }
 
@@ -338,10 +339,6 @@ QString worked_out(const ParameterInfo& info, const QString& entered, LengthUnit
 
 } // namespace
 
-QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit) {
-    return text(format_number(core_value / info.scale(unit), 7));
-}
-
 ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vector<FormChoice>& choices,
                                        QWidget* parent) {
     if (!choices.empty()) return new ChoiceEditor(info, choices, parent);
@@ -353,7 +350,7 @@ ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vec
     case ParameterKind::choice: {
         std::vector<FormChoice> words;
         for (const auto& word : info.words)
-            words.push_back({text(word).replace(QChar('_'), QChar(' ')), word});
+            words.push_back({shown_word(info, word), word});
         return new ChoiceEditor(info, words, parent);
     }
     case ParameterKind::names:

@@ -38,7 +38,7 @@ signals:
     void finished();
 };
 
-/// Never null. The words of a choice are shown with blanks for underscores.
+/// Never null. Words are shown as the window says them (value_words.h).
 ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vector<FormChoice>& choices,
                                        QWidget* parent);
 
@@ -46,8 +46,5 @@ ParameterEditor* make_parameter_editor(const ParameterInfo& info, const std::vec
 /// Error as ParameterInfo::parse and `evaluate`, with a remedy that speaks to somebody at a form.
 ParameterValue read_entered(const ParameterInfo& info, const QString& entered, LengthUnit unit,
                             const NamedLengths& names);
-
-/// The value with at most seven digits, for a form: what the user does not touch keeps all its digits.
-QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit);
 
 } // namespace facetmill::ui

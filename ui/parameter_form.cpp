@@ -3,6 +3,7 @@
 #include "ui/icons.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/value_words.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -32,8 +33,9 @@ QGridLayout* make_grid(QWidget* holder) {
 } // namespace
 
 QString help_html(const ParameterInfo& info, LengthUnit unit) {
-    QString html = QStringLiteral("<b>%1</b><br>%2")
-                       .arg(text(info.label).toHtmlEscaped(), text(info.help).toHtmlEscaped());
+    QString html =
+        QStringLiteral("<b>%1</b><br>%2")
+            .arg(text(info.label).toHtmlEscaped(), with_shown_words(info, text(info.help)).toHtmlEscaped());
     const QString range = text(info.range_text(unit));
     QStringList facts;
     if (!range.isEmpty()) facts << QStringLiteral("Range: %1").arg(range.toHtmlEscaped());
@@ -43,6 +45,8 @@ QString help_html(const ParameterInfo& info, LengthUnit unit) {
         // A round number of the other unit has digits that say nothing.
         if (const auto* d = std::get_if<double>(&info.default_value))
             value = text(format_number(*d / info.scale(unit), 4));
+        else if (const auto* word = std::get_if<std::string>(&info.default_value))
+            value = shown_word(info, *word);
         if (!std::holds_alternative<std::string>(info.default_value) && !unit_text.isEmpty())
             value += QStringLiteral(" ") + unit_text;
         facts << QStringLiteral("Default: %1").arg(value.toHtmlEscaped());
@@ -263,7 +267,7 @@ bool ParameterForm::check(Row& row, ParameterValue& value) {
         show_error(row, {}, false);
         return true;
     } catch (const Error& e) {
-        show_error(row, failure_text(e), true);
+        show_error(row, with_shown_words(*row.info, failure_text(e)), true);
         return false;
     }
 }
@@ -302,6 +306,15 @@ void ParameterForm::set_help_shown(bool on) {
 void ParameterForm::set_picking(const std::string& key) {
     for (const Row& row : rows_)
         if (row.pick) row.pick->setChecked(row.info->key == key);
+}
+
+QString ParameterForm::spoken_label(const std::string& key) const {
+    for (const Row& row : rows_)
+        if (row.info->key == key) {
+            const QString label = text(row.info->label);
+            return label.left(1).toLower() + label.mid(1);
+        }
+    return text(key);
 }
 
 void ParameterForm::focus_first() {

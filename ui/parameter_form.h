@@ -41,6 +41,8 @@ public:
     /// The row whose point is being picked, or none ("").
     void set_picking(const std::string& key);
 
+    /// What a row is called, within a sentence: "step-over".
+    QString spoken_label(const std::string& key) const;
     /// Into the first field, its text selected.
     void focus_first();
     /// Without it the help is in the tool tips alone, and no room is kept for it below the fields.

@@ -574,8 +574,7 @@ void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {
     if (!node_ || node_->kind != TreeNode::Kind::operation || node_->index >= document_.operation_count())
         return;
     try {
-        document_.change(tr("Pick %1").arg(text(key).replace(QChar('_'), QChar(' '))),
-                         [&, index = node_->index](Project& p) {
+        document_.change(tr("Pick %1").arg(form_->spoken_label(key)), [&, index = node_->index](Project& p) {
                              Operation& operation = *p.operations.at(index);
                              if (operation.turning()) operation.set("axis", std::string("points"));
                              operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
@@ -637,7 +636,7 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
     const bool clears =
         node.kind == Kind::operation && document_.operation(node.index).parameter(key).is_list();
     const QString what =
-        (clears ? tr("Clear %1") : tr("Edit %1")).arg(text(key).replace(QChar('_'), QChar(' ')));
+        (clears ? tr("Clear %1") : tr("Edit %1")).arg(form_->spoken_label(key));
     try {
         document_.change(what, [&](Project& p) {
             if (node.kind == Kind::part)

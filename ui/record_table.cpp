@@ -4,6 +4,7 @@
 #include "ui/parameter_editor.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/value_words.h"
 
 #include <QHeaderView>
 #include <QTableWidget>

@@ -145,7 +145,7 @@ private slots:
         QVERIFY(settings().manual_postures.empty());
         QCOMPARE(count(key)->text(), QStringLiteral("none"));
         QVERIFY(!clear(key)->isEnabled());
-        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Clear manual postures"));
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Clear kept postures"));
         w().document().undo_stack().undo();
         QVERIFY(settings().manual_postures == kept);
         QCOMPARE(count(key)->text(), QStringLiteral("3 kept postures"));

@@ -61,7 +61,7 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
                                                     "all in the same direction."));
         t.add(&S::left_points,
               {.key = "left_points",
-               .label = "Points left before",
+               .label = "Also points left out",
                .help = "Strips also around contact points that operations before left to clean-up, as those "
                        "without a free posture.",
                .kind = K::boolean});

@@ -1,0 +1,22 @@
+// The words of files and of the command line as the window says them: "oneway" is "one way". Files, programs
+// and the reference keep theirs.
+#pragma once
+
+#include "core/base/parameter.h"
+
+#include <QString>
+
+namespace facetmill::ui {
+
+/// A value of `info` that is a word, for a field or a list.
+QString shown_word(const ParameterInfo& info, const std::string& word);
+/// What shown_word makes of a word of `info`, or the word itself, back again; other texts stay.
+QString word_of(const ParameterInfo& info, const QString& shown);
+/// A sentence about the parameter, such as its help, with its words as fields show them.
+QString with_shown_words(const ParameterInfo& info, const QString& sentence);
+
+/// A number for a field, in the edge's unit: what is round in the other unit (2 mm in a project in inches)
+/// has five digits, others have at most seven. What the user does not touch keeps all its digits.
+QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit);
+
+} // namespace facetmill::ui
