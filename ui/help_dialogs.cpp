@@ -42,6 +42,7 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("F2"), QObject::tr("rename what is selected in the tree"));
     row(QObject::tr("Ctrl+C, Ctrl+V"),
         QObject::tr("copy an operation in the tree, paste it here or in another project"));
+    row(QObject::tr("F1"), QObject::tr("the manual, at the place of what has the keys"));
     row(QObject::tr("Del"), QObject::tr("remove the selected tool or operation"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Keys and mouse"),
                                 QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows),

@@ -1,10 +1,13 @@
 #include "ui/parameter_form.h"
 
+#include "ui/help.h"
+#include "ui/help_pages.h"
 #include "ui/icons.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
@@ -32,7 +35,8 @@ QGridLayout* make_grid(QWidget* holder) {
 
 } // namespace
 
-QString help_html(const ParameterInfo& info, LengthUnit unit) {
+QString help_html(const ParameterInfo& info, LengthUnit unit, const QString& scope) {
+    constexpr int drawing_width = 200;
     QString html =
         QStringLiteral("<b>%1</b><br>%2")
             .arg(text(info.label).toHtmlEscaped(), with_shown_words(info, text(info.help)).toHtmlEscaped());
@@ -51,6 +55,10 @@ QString help_html(const ParameterInfo& info, LengthUnit unit) {
             value += QStringLiteral(" ") + unit_text;
         facts << QStringLiteral("Default: %1").arg(value.toHtmlEscaped());
     }
+    const QString drawing = parameter_drawing(scope.section(QChar(' '), 0, 0), text(info.key));
+    if (!drawing.isEmpty())
+        html.prepend(help_drawing_html(drawing, QApplication::palette(), drawing_width)
+                     + QStringLiteral("<br>"));
     if (!facts.isEmpty()) html += QStringLiteral("<br><i>%1</i>").arg(facts.join(QStringLiteral(" · ")));
     return html;
 }
@@ -164,6 +172,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         row.pick = new QToolButton(holder);
     row.editor = make_parameter_editor(info, choices, holder);
     row.label->setBuddy(row.editor);
+    row.editor->setProperty(help_key_property, text(info.key));
     row.unit = new QLabel(holder);
     row.unit->setForegroundRole(QPalette::PlaceholderText);
     row.reset = new QToolButton(holder);
@@ -250,7 +259,7 @@ void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
         row.value = value;
         row.has_value = true;
         row.unit->setText(text(edge_unit_name(row.info->quantity, unit)));
-        row.label->setToolTip(help_html(*row.info, unit));
+        row.label->setToolTip(help_of(row));
         row.editor->setToolTip(row.label->toolTip());
         // A list has a button of its own that clears it.
         row.reset->setVisible(row.info->kind != ParameterKind::text && !row.info->is_list()
@@ -297,6 +306,10 @@ bool ParameterForm::commit() {
             return false;
         }
     return true;
+}
+
+void ParameterForm::set_help_scope(const QString& scope) {
+    setProperty(help_scope_property, scope);
 }
 
 void ParameterForm::set_help_shown(bool on) {
@@ -356,8 +369,12 @@ void ParameterForm::show_error(Row& row, const QString& message, bool invalid) {
     if (was_valid != valid()) emit validity_changed(!was_valid);
 }
 
+QString ParameterForm::help_of(const Row& row) const {
+    return help_html(*row.info, unit_, property(help_scope_property).toString());
+}
+
 void ParameterForm::show_help(const Row* row) {
-    help_->setText(row ? help_html(*row->info, unit_) : QString());
+    help_->setText(row ? help_of(*row) : QString());
 }
 
 ParameterForm::Row* ParameterForm::row_of(const QObject* widget) {

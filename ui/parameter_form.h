@@ -33,6 +33,10 @@ public:
     /// value beneath it is unchanged.
     void set_values(const Parameterized& values, LengthUnit unit);
 
+    /// Sections of the manual's reference that hold the parameters, the first of them for drawings ("setups
+    /// place"); set before the values.
+    void set_help_scope(const QString& scope);
+
     /// Lengths that fields know by name.
     void set_names(NamedLengths names) { names_ = std::move(names); }
 
@@ -90,6 +94,7 @@ private:
     bool check(Row& row, ParameterValue& value);
     void finish(std::size_t index);
     void show_error(Row& row, const QString& message, bool invalid);
+    QString help_of(const Row& row) const;
     void show_help(const Row* row);
     Row* row_of(const QObject* widget);
 
@@ -103,7 +108,8 @@ private:
     bool advanced_open_ = false, live_ = false;
 };
 
-/// A description's help as rich text: what it does, range, default, key.
-QString help_html(const ParameterInfo& info, LengthUnit unit);
+/// A description's help as rich text: a drawing where there is one (help_pages.h knows the scopes), what it
+/// does, range, default, key.
+QString help_html(const ParameterInfo& info, LengthUnit unit, const QString& scope = {});
 
 } // namespace facetmill::ui

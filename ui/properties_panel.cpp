@@ -271,6 +271,37 @@ std::map<std::string, std::vector<FormChoice>> operation_choices(const Project& 
             {"avoid", boundary_choices(project, PropertiesPanel::tr("none"))}};
 }
 
+/// Where the manual tells of the parameters of a node.
+QString help_scope(const Document& document, const TreeNode& node) {
+    using Kind = TreeNode::Kind;
+    switch (node.kind) {
+    case Kind::part:
+        return QStringLiteral("part");
+    case Kind::stock:
+        return QStringLiteral("stock");
+    case Kind::fixture:
+        return QStringLiteral("fixtures");
+    case Kind::boundary:
+        return QStringLiteral("boundaries");
+    case Kind::setup:
+        return QStringLiteral("setups place");
+    case Kind::limits:
+        return QStringLiteral("verification");
+    case Kind::machine:
+        return QStringLiteral("project_file");
+    case Kind::operation:
+        return text(document.operation(node.index).kind());
+    default:
+        return {};
+    }
+}
+
+/// What its fields know by name, and where their help stands.
+void tell_about(ParameterForm& form, const Document& document, const TreeNode& node) {
+    form.set_names(field_names(document, node));
+    form.set_help_scope(help_scope(document, node));
+}
+
 std::map<std::string, QString> remarks_on(const Project& project, std::size_t operation) {
     std::map<std::string, QString> remarks;
     for (const SettingRemark& r : setting_remarks(project, operation))
@@ -461,7 +492,7 @@ void PropertiesPanel::refresh() {
                           const std::vector<std::string>& hidden = {}) {
         form = true;
         if (build) form_->set_parameters(values.parameters(), unit, choices, hidden);
-        form_->set_names(field_names(document_, *node_));
+        tell_about(*form_, document_, *node_);
         form_->set_values(values, unit);
     };
     if (!document_.has_part()) {
@@ -575,10 +606,10 @@ void PropertiesPanel::take_point(const std::string& key, const Vec3& point) {
         return;
     try {
         document_.change(tr("Pick %1").arg(form_->spoken_label(key)), [&, index = node_->index](Project& p) {
-                             Operation& operation = *p.operations.at(index);
-                             if (operation.turning()) operation.set("axis", std::string("points"));
-                             operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
-                         });
+            Operation& operation = *p.operations.at(index);
+            if (operation.turning()) operation.set("axis", std::string("points"));
+            operation.set(key, std::array<double, 3>{point.x(), point.y(), point.z()});
+        });
     } catch (const Error& e) {
         form_->set_error(key, failure_text(e));
     }
@@ -635,8 +666,7 @@ void PropertiesPanel::take(const std::string& key, const ParameterValue& value) 
     // Of a list the form only says how many there are.
     const bool clears =
         node.kind == Kind::operation && document_.operation(node.index).parameter(key).is_list();
-    const QString what =
-        (clears ? tr("Clear %1") : tr("Edit %1")).arg(form_->spoken_label(key));
+    const QString what = (clears ? tr("Clear %1") : tr("Edit %1")).arg(form_->spoken_label(key));
     try {
         document_.change(what, [&](Project& p) {
             if (node.kind == Kind::part)

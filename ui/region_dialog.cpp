@@ -33,6 +33,7 @@ RegionDialog::RegionDialog(QWidget* parent) : QDialog(parent, Qt::Tool) {
     setSizeGripEnabled(true);
 
     form_ = new ParameterForm(this);
+    form_->set_help_scope(QStringLiteral("global_local"));
     form_->set_live(true);
     form_->set_help_shown(false); // there is little room
     form_->installEventFilter(this);

@@ -74,6 +74,7 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
     });
 
     form_ = new ParameterForm(this);
+    form_->set_help_scope(QStringLiteral("tools"));
     form_->set_live(true);
     Tool shown = tool;
     const ParameterView<Tool> view(shown, tool_parameters());

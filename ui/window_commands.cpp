@@ -6,6 +6,7 @@
 #include "ui/autosave.h"
 #include "ui/command.h"
 #include "ui/controllers.h"
+#include "ui/help.h"
 #include "ui/help_dialogs.h"
 #include "ui/inputs_controller.h"
 #include "ui/main_window.h"
@@ -298,7 +299,19 @@ void add_commands(Commands& commands, MainWindow& window) {
     add_workspace_commands(commands, window);
     add_view_commands(commands, window);
     add_setting_commands(commands, window);
-    commands.add({"keys", tr("&Keys and mouse"), {}, {QKeySequence(Qt::Key_F1)}, [&window] {
+    auto* help = new Help(&window);
+    commands.add({"manual",
+                  tr("&Manual"),
+                  {},
+                  {QKeySequence(Qt::Key_F1)},
+                  [help] { help->open_here(); },
+                  {},
+                  {},
+                  tr("The manual at the place of what has the keys (F1)")});
+    commands.add({"first_job", tr("&First job, step by step"), {}, {}, [help] {
+                      help->open(QStringLiteral("first_job.html"));
+                  }});
+    commands.add({"keys", tr("&Keys and mouse"), {}, {QKeySequence(Qt::SHIFT | Qt::Key_F1)}, [&window] {
                       show_shortcuts(&window);
                   }});
     commands.add({"about", tr("&About Facetmill"), {}, {}, [&window] { show_about(&window); }});

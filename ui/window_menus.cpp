@@ -89,7 +89,7 @@ std::vector<MenuTable> menus() {
         {"plan_menu",
          tr("&Plan"),
          {"plan", "verify", "-", "plan_all", "verify_all", "-", "cancel", "-", "export"}},
-        {"help_menu", tr("&Help"), {"keys", "about"}}};
+        {"help_menu", tr("&Help"), {"manual", "first_job", "keys", "about"}}};
 }
 
 Entries tools() {

@@ -1,0 +1,40 @@
+// The Markdown of the manual as HTML that a browser shows and Qt's rich text, too: headings, paragraphs,
+// lists, tables, code, links and pictures, and nothing else.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace facetmill::manual {
+
+/// A heading and what stands below it, for the table of contents and the search.
+struct Section {
+    std::string anchor; ///< empty: the page itself
+    std::string title;  ///< plain text
+    std::string text;   ///< plain text up to the next heading
+    int level = 1;      ///< 1 a page, 2 and 3 its headings, 4 a parameter
+};
+
+struct Page {
+    std::string html; ///< of the body
+    std::vector<Section> sections;
+    std::vector<std::string> links;    ///< as they stand in the HTML
+    std::vector<std::string> pictures; ///< likewise
+};
+
+/// What the words of a parameter's drawing are looked up by: returns its file, or an empty text. `scope` is
+/// the kind of an operation or a section of the reference.
+using DrawingOf = std::string (*)(const std::string& scope, const std::string& key);
+
+/// Links to FILE.md lead to FILE.html in the same folder, pictures to the folder they stand in. Tables of
+/// parameters as the reference page has them become entries, each with an anchor SCOPE-KEY and its drawing.
+/// `scope` is what the anchors of a page begin with that is all of one operation; else it is that of the
+/// heading.
+Page make_page(std::string_view markdown, const std::string& scope, DrawingOf drawing);
+
+/// A name in small letters, digits and underscores.
+std::string slug(std::string_view title);
+std::string escaped(std::string_view text);
+
+} // namespace facetmill::manual
