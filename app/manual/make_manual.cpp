@@ -92,7 +92,8 @@ std::string contents_list(const std::vector<NamedPage>& pages) {
 std::string whole_page(const std::string& title, const std::string& body, const std::string& foot) {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-           + escaped(title) + " – Facetmill</title>\n<link rel=\"stylesheet\" href=\"style.css\">\n"
+           + escaped(title)
+           + " – Facetmill</title>\n<link rel=\"stylesheet\" type=\"text/css\" href=\"style.css\">\n"
            + "</head><body>\n" + body + foot + "</body></html>\n";
 }
 
