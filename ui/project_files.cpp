@@ -293,7 +293,7 @@ void ProjectFiles::ask_unit(const std::filesystem::path& path, const LoadedPart&
     connect(dialog, &QDialog::accepted, this, [this, dialog, path, loaded] {
         const LengthUnit unit = dialog->unit();
         if (dialog->remember()) settings::remember_unit(path_text(path), unit);
-        take_in_unit(path, LengthUnit::mm, unit, loaded);
+        unit == LengthUnit::mm ? take_mesh(path, unit, loaded, {}) : open_mesh(path, unit);
     });
     dialog->open();
 }
