@@ -44,6 +44,7 @@
 #include "ui/window_commands.h"
 #include "ui/window_docks.h"
 #include "ui/window_menus.h"
+#include "ui/work_follower.h"
 #include "ui/workspaces.h"
 
 #include <QAction>
@@ -88,7 +89,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connect_document();
     connect_panels();
     connect_jobs();
-    connect_workspaces();
+    follow_work(*this, *docks_);
 
     Scene& scene = viewport_->scene();
     scene.set_visible(Layer::title, false); // the window has one
@@ -268,35 +269,6 @@ void MainWindow::connect_jobs() {
             messages_->information(tr("Cancelled."), false);
         update_commands();
         check_settled();
-    });
-}
-
-/// What was just done is to be seen.
-void MainWindow::connect_workspaces() {
-    const auto enter = [this](Workspace w) { return [this, w] { workspaces_->enter(w); }; };
-    connect(&document_, &Document::opened, this, enter(Workspace::prepare));
-    // A path to see: an opened program, or that of an operation that is chosen.
-    connect(&document_, &Document::states_changed, this, [this] {
-        if (document_.program() && workspaces_->current() == Workspace::prepare)
-            workspaces_->enter(Workspace::plan);
-    });
-    connect(tree_, &ProjectTree::selection_changed, this, [this] {
-        const auto node = tree_->selected();
-        if (node && node->kind == TreeNode::Kind::operation && workspaces_->current() == Workspace::prepare
-            && document_.result(node->index))
-            workspaces_->enter(Workspace::plan);
-    });
-    connect(planning_, &PlanRunner::about_to_plan, this, enter(Workspace::plan));
-    connect(&verification(), &VerificationController::played, this, enter(Workspace::simulate));
-    connect(controllers_, &Controllers::verified, this, [this] {
-        if (!verification().playback().playing()) workspaces_->enter(Workspace::verify);
-    });
-    connect(workspaces_, &Workspaces::entered, this, [this](Workspace now) {
-        if (now != Workspace::simulate) verification().playback().pause();
-        update_commands();
-    });
-    connect(workspaces_, &Workspaces::chosen, this, [this](Workspace now) {
-        if (now == Workspace::verify) docks_->show(QStringLiteral("verification_dock"));
     });
 }
 

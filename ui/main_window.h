@@ -107,7 +107,6 @@ private:
     void connect_document();
     void connect_panels();
     void connect_jobs();
-    void connect_workspaces();
     void restore_window();
     void update_title();
     void edit_tool(std::optional<std::size_t> index);

@@ -181,7 +181,6 @@ void ProjectTree::make_tree() {
     tree_ = new ProjectTreeView(document_, this);
     tree_->installEventFilter(new SelectionKeeper(tree_));
     tree_->setObjectName(QStringLiteral("project_tree"));
-    tree_->setAccessibleName(tr("Project"));
     tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
     tree_->setFrameShape(QFrame::NoFrame);

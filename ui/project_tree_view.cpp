@@ -22,6 +22,7 @@ TreeNode::Kind kind_of(const QTreeWidgetItem* item) {
 
 ProjectTreeView::ProjectTreeView(Document& document, QWidget* parent)
     : QTreeWidget(parent), document_(document) {
+    setAccessibleName(tr("Project"));
     setDragDropMode(QAbstractItemView::InternalMove);
     setDragEnabled(true);
     setDropIndicatorShown(true);
