@@ -192,7 +192,12 @@ bool sniff_png(std::string_view bytes) {
 } // namespace
 
 MeshFormat png_format() {
-    return {"PNG", "a PNG picture", {".png"}, sniff_png, read_png, true};
+    return {.name = "PNG",
+            .label = "a PNG picture",
+            .extensions = {".png"},
+            .sniff = sniff_png,
+            .read = read_png,
+            .is_picture = true};
 }
 
 } // namespace facetmill::detail

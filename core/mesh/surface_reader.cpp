@@ -324,11 +324,21 @@ TriangleSoup read_surfaces(const MeshSource& source, const std::string& format, 
 }
 
 MeshFormat step_format() {
-    return {"STEP", "a STEP file", {".step", ".stp"}, sniff_step, read_step_file, true};
+    return {.name = "STEP",
+            .label = "a STEP file",
+            .extensions = {".step", ".stp"},
+            .sniff = sniff_step,
+            .read = read_step_file,
+            .has_surfaces = true};
 }
 
 MeshFormat iges_format() {
-    return {"IGES", "an IGES file", {".iges", ".igs"}, sniff_iges, read_iges_file, true};
+    return {.name = "IGES",
+            .label = "an IGES file",
+            .extensions = {".iges", ".igs"},
+            .sniff = sniff_iges,
+            .read = read_iges_file,
+            .has_surfaces = true};
 }
 
 } // namespace facetmill::detail

@@ -217,7 +217,12 @@ bool sniff_3mf(std::string_view bytes) {
 } // namespace
 
 MeshFormat threemf_format() {
-    return {"3MF", "a 3MF file", {".3mf"}, sniff_3mf, read_3mf, false, true};
+    return {.name = "3MF",
+            .label = "a 3MF file",
+            .extensions = {".3mf"},
+            .sniff = sniff_3mf,
+            .read = read_3mf,
+            .has_objects = true};
 }
 
 } // namespace facetmill::detail

@@ -249,7 +249,12 @@ TriangleSoup read_tiff(const MeshSource& source, const Progress& progress) {
 } // namespace
 
 MeshFormat tiff_format() {
-    return {"TIFF", "a TIFF picture", {".tif", ".tiff"}, sniff_tiff, read_tiff, true};
+    return {.name = "TIFF",
+            .label = "a TIFF picture",
+            .extensions = {".tif", ".tiff"},
+            .sniff = sniff_tiff,
+            .read = read_tiff,
+            .is_picture = true};
 }
 
 } // namespace facetmill::detail
