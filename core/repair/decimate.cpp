@@ -364,7 +364,7 @@ StepResult decimate(const Mesh& mesh, const RepairStep& step, const Progress& pr
         if (beyond > 0) continue;
         result.displacement = deviation;
         result.tell("facets_removed", mesh.facet_count() - after->facet_count());
-        result.tell_any("attempts", std::size_t(attempt + 1));
+        result.tell_any("attempts", std::size_t(attempt) + 1);
         result.tell_any("facets_in_no_sheet", left_out);
         result.mesh = std::move(after);
         return result;
