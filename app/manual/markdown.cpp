@@ -203,7 +203,11 @@ private:
                 if (i == 0 && row[i].starts_with("`")) {
                     const std::string anchor = anchor_of(without_ticks(row[i]));
                     if (names_.insert(anchor).second) { // several rows may tell of one thing
-                        name = "<a name=\"" + anchor + "\" id=\"" + anchor + "\"></a>";
+                        name.append("<a name=\"")
+                            .append(anchor)
+                            .append("\" id=\"")
+                            .append(anchor)
+                            .append("\"></a>");
                         end_section();
                         begin_section(4, anchor, label_of(row));
                     }
