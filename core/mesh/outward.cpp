@@ -2,10 +2,10 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/facet_groups.h"
 #include "core/mesh/sight.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace facetmill {
 
@@ -26,25 +26,6 @@ constexpr double upright_share = 0.1;
 /// A cup that faces up has at least such a share of its area more from above.
 constexpr double cup_share = 0.01;
 
-/// Facets that belong together.
-class Groups {
-public:
-    explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-    Index of(Index f) {
-        while (parent_[f] != f)
-            f = parent_[f] = parent_[parent_[f]];
-        return f;
-    }
-    void join(Index a, Index b) {
-        a = of(a);
-        b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parent_;
-};
-
 struct Patch {
     std::vector<Index> facets;
     std::vector<double> areas; ///< sums of the facets' areas, ascending
@@ -54,7 +35,7 @@ struct Patch {
 
 std::vector<Patch> patches_of(const Mesh& mesh, const Progress& progress) {
     const std::size_t n = mesh.facet_count();
-    Groups groups(n);
+    FacetGroups groups(n);
     std::vector<char> rim(n, 0);
     const EdgeTable table(mesh, progress);
     for (std::size_t low = 0; low < table.vertex_count(); ++low) {

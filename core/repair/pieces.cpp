@@ -1,5 +1,6 @@
 // Small pieces: shells, facets joined by edges, that are too small to be meant.
 #include "core/mesh/edge_table.h"
+#include "core/mesh/facet_groups.h"
 #include "core/repair/repair_step.h"
 #include "core/repair/shells.h"
 
@@ -10,27 +11,6 @@ namespace facetmill {
 namespace {
 
 constexpr std::size_t facets_per_check = 20'000;
-
-class FacetGroups {
-public:
-    explicit FacetGroups(std::size_t n) : parent_(n) {
-        for (std::size_t f = 0; f < n; ++f)
-            parent_[f] = Index(f);
-    }
-    Index of(Index f) {
-        while (parent_[f] != f)
-            f = parent_[f] = parent_[parent_[f]];
-        return f;
-    }
-    void join(Index a, Index b) {
-        a = of(a);
-        b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parent_;
-};
 
 } // namespace
 
