@@ -8,6 +8,7 @@
 #include "core/mesh/mesh_format.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/stl_records.h"
+#include "core/mesh/unused_vertices.h"
 #include "core/mesh/weld.h"
 
 #include <cmath>
@@ -112,22 +113,7 @@ std::vector<Index> faces_of_rest(const std::vector<Facet>& facets, std::vector<I
 void remove_marked(Mesh& mesh, const Progress& progress) {
     progress.check();
     std::erase_if(mesh.facets, [](const Facet& f) { return f[0] == no_index; });
-    std::vector<Index> number(mesh.vertices.size(), no_index);
-    for (const Facet& f : mesh.facets)
-        for (const Index v : f)
-            number[v] = 0;
-    progress.check();
-    Index next = 0;
-    for (std::size_t v = 0; v < number.size(); ++v)
-        if (number[v] == 0) {
-            mesh.vertices[next] = mesh.vertices[v];
-            number[v] = next++;
-        }
-    mesh.vertices.resize(next);
-    progress.check();
-    for (Facet& f : mesh.facets)
-        for (Index& v : f)
-            v = number[v];
+    drop_unused_vertices(mesh, progress);
 }
 
 /// True where 32-bit floats at the far end of the part are too far apart, mm.

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/box_tree.h"
 #include "core/mesh/geometry_incidence.h"
+#include "core/mesh/unused_vertices.h"
 #include "core/repair/deviation.h"
 #include "core/repair/hole_filler.h"
 #include "core/repair/repair_step.h"

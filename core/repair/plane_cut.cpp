@@ -1,6 +1,7 @@
 // Cut by a plane; what lies on the side of its normal goes.
 #include "core/base/tolerances.h"
 #include "core/mesh/index_pair.h"
+#include "core/mesh/unused_vertices.h"
 #include "core/repair/plane_polygon.h"
 #include "core/repair/repair_step.h"
 

@@ -33,7 +33,5 @@ StepResult remake_crossings(const Mesh& mesh, const RepairStep& step, const Prog
 
 /// The facets that stay, in their order, with the vertices that they name, in theirs.
 MeshPtr with_facets(const Mesh& mesh, const std::vector<char>& stays, const Progress& progress);
-/// Leaves out the vertices that no facet names; the order of the rest stays.
-void drop_unused_vertices(Mesh& mesh, const Progress& progress);
 
 } // namespace facetmill::detail

@@ -1,5 +1,6 @@
 #include "core/repair/sheet_edit.h"
 
+#include "core/mesh/unused_vertices.h"
 #include "core/repair/repair_step.h"
 
 namespace facetmill::detail {
