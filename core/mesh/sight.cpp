@@ -1,5 +1,7 @@
 #include "core/mesh/sight.h"
 
+#include "core/mesh/facet_boxes.h"
+
 #include "core/mesh/triangle_distance.h"
 
 #include <cmath>
@@ -15,11 +17,7 @@ constexpr double start_share = 1e-7;
 
 MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
     : mesh_(mesh), start_(start_share * mesh.box().size().norm()) {
-    std::vector<Box3> boxes(mesh.facet_count());
-    for (std::size_t f = 0; f < boxes.size(); ++f)
-        for (int k = 0; k < 3; ++k)
-            boxes[f].add(mesh.corner(f, k));
-    tree_ = BoxTree(boxes, progress);
+    tree_ = BoxTree(facet_boxes(mesh), progress);
 }
 
 bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {

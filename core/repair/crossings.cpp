@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/facet_boxes.h"
 #include "core/mesh/geometry_incidence.h"
 #include "core/mesh/unused_vertices.h"
 #include "core/repair/deviation.h"
@@ -55,19 +56,10 @@ std::size_t shared_corners(const Facet& a, const Facet& b) {
     return n;
 }
 
-Box3 box_of_facet(const Mesh& mesh, std::size_t f) {
-    Box3 box;
-    for (int k = 0; k < 3; ++k)
-        box.add(mesh.corner(f, k));
-    return box;
-}
-
 } // namespace
 
 std::vector<std::pair<Index, Index>> crossing_facets(const Mesh& mesh, const Progress& progress) {
-    std::vector<Box3> boxes(mesh.facet_count());
-    for (std::size_t f = 0; f < boxes.size(); ++f)
-        boxes[f] = box_of_facet(mesh, f);
+    const std::vector<Box3> boxes = facet_boxes(mesh);
     const BoxTree tree(boxes, progress.part(0, 0.3));
     using Pairs = std::vector<std::pair<Index, Index>>;
     return parallel_reduce(

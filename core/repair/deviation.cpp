@@ -1,6 +1,7 @@
 #include "core/repair/deviation.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/facet_boxes.h"
 #include "core/mesh/triangle_distance.h"
 #include "core/mesh/weld.h"
 
@@ -16,14 +17,6 @@ namespace {
 constexpr std::size_t facets_per_block = 4096;
 /// Halvings of a triangle: from its size down to a millionth of it.
 constexpr int max_halvings = 30;
-
-std::vector<Box3> facet_boxes(const Mesh& mesh) {
-    std::vector<Box3> boxes(mesh.facet_count());
-    for (std::size_t f = 0; f < boxes.size(); ++f)
-        for (int k = 0; k < 3; ++k)
-            boxes[f].add(mesh.corner(f, k));
-    return boxes;
-}
 
 /// The same for facets with the same corners.
 struct CornerKey {
