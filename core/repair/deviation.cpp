@@ -44,28 +44,6 @@ bool same_corners(const Mesh& a, std::size_t f, const Mesh& b, std::size_t g) {
     return true;
 }
 
-/// The point of the triangle a b c that is nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 n = (b - a).cross(c - a);
-    const double n2 = n.squaredNorm();
-    if (n2 > 0.0 && (b - a).cross(p - a).dot(n) >= 0.0 && (c - b).cross(p - b).dot(n) >= 0.0
-        && (a - c).cross(p - c).dot(n) >= 0.0)
-        return p - (p - a).dot(n) / n2 * n;
-    Vec3 best = a;
-    double least = infinity;
-    for (const auto& [s, e] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-        const Vec3 d = e - s;
-        const double length2 = d.squaredNorm();
-        const double t = length2 > 0.0 ? std::clamp((p - s).dot(d) / length2, 0.0, 1.0) : 0.0;
-        const Vec3 at = s + t * d;
-        if (const double d2 = (p - at).squaredNorm(); d2 < least) {
-            least = d2;
-            best = at;
-        }
-    }
-    return best;
-}
-
 } // namespace
 
 DeviationIndex::DeviationIndex(const Mesh& mesh, const Progress& progress)
@@ -92,8 +70,8 @@ DeviationIndex::Place DeviationIndex::place(const Vec3& p, Index hint) const {
         }
     });
     if (found.facet == no_index) return found;
-    found.nearest = nearest_point(p, mesh_.corner(found.facet, 0), mesh_.corner(found.facet, 1),
-                                  mesh_.corner(found.facet, 2));
+    found.nearest = nearest_in_triangle(p, mesh_.corner(found.facet, 0), mesh_.corner(found.facet, 1),
+                                        mesh_.corner(found.facet, 2));
     found.distance = (found.nearest - p).norm();
     return found;
 }
