@@ -134,12 +134,10 @@ Options read_options(int argc, char** argv) {
             return usage(QStringLiteral("--size: write it as 1280x800, from 200x200 to 10000x10000"));
         options.size = QSize(w, h);
     }
-    // Pictures are as large as the job says; objects and surfaces state their unit.
     const MeshFormat* format = mesh_format_named(options.file.toStdString());
-    const bool sized = format && (format->is_picture || format->has_objects || format->has_surfaces);
     const bool mesh =
         !options.file.isEmpty() && !options.file.endsWith(QStringLiteral(".facetmill"), Qt::CaseInsensitive);
-    if (mesh && !sized && !options.unit
+    if (mesh && (!format || format->needs_unit()) && !options.unit
         && (options.plan || !options.programs.isEmpty() || !options.screenshot.isEmpty()))
         return usage(
             QStringLiteral("name the unit of the mesh by --units, as in --units mm: nobody is there to ask"));

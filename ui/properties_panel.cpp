@@ -217,7 +217,7 @@ std::vector<std::string> hidden_part_keys(const PartSpec& part) {
     const MeshFormat* format = mesh_format_named(part.file);
     std::vector<std::string> hidden{"file"};
     if (!format || !format->has_objects) hidden.emplace_back("objects");
-    if (format && (format->has_objects || format->is_picture)) hidden.emplace_back("units");
+    if (format && !format->needs_unit()) hidden.emplace_back("units");
     if (!format || !format->is_picture)
         hidden.insert(hidden.end(), relief_keys().begin(), relief_keys().end());
     return hidden;

@@ -30,7 +30,7 @@ fs::path Project::part_path() const {
 MeshReading Project::part_reading() const {
     constexpr double share = 0.1, finest = 5e-4, coarsest = 1; // mm
     MeshReading reading = part.reading();
-    const MeshFormat* format = mesh_format_of(in_small_letters(fs::path(part.file).extension().string()));
+    const MeshFormat* format = mesh_format_named(part.file);
     if (!format || !format->has_surfaces || part.chord_tolerance.is_number()) return reading;
     double tolerance = infinity;
     for (const Operation* operation : all_operations(*this))

@@ -26,7 +26,10 @@ struct MeshFormat {
     detail::TriangleSoup (*read)(const detail::MeshSource& source, const Progress& progress);
     bool is_picture = false;   ///< read as a relief, which is as large as the job says
     bool has_objects = false;  ///< files state their unit and hold objects, of which the job chooses
-    bool has_surfaces = false; ///< facets follow its surfaces as closely as MeshReading says
+    bool has_surfaces = false; ///< states its unit; facets follow its surfaces as closely as MeshReading says
+
+    /// Whether a job has to say the unit of a file's numbers.
+    bool needs_unit() const { return !is_picture && !has_objects && !has_surfaces; }
 };
 
 /// The commonest first.
