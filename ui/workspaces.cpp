@@ -84,12 +84,12 @@ Workspaces::Workspaces(LayerBar& layers, QWidget& rough_bar, QWidget& playback_b
     column->setSpacing(0);
     column->addWidget(plan_bars_);
     column->addWidget(play_bars_);
-    add_row(layers);
+    add_row();
     layers_.set_shown_set(shown_[std::size_t(current_)]);
     show_bars();
 }
 
-void Workspaces::add_row(QWidget& layers) {
+void Workspaces::add_row() {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 2, 0, 2);
     row->setSpacing(0);
@@ -111,7 +111,7 @@ void Workspaces::add_row(QWidget& layers) {
         buttons_[std::size_t(e.workspace)] = b;
         row->addWidget(b);
     }
-    row->addWidget(&layers, 1);
+    row->addWidget(&layers_, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 

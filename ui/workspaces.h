@@ -44,7 +44,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void add_row(QWidget& layers);
+    void add_row();
     void show_bars();
 
     LayerBar& layers_;
