@@ -36,7 +36,8 @@ MeshReport report_after(const MeshReport& before, const Mesh& mesh, const Progre
 
 RepairedMesh load_repaired(const std::filesystem::path& path, const MeshReading& reading,
                            const std::vector<RepairStep>& recipe, const Progress& progress) {
-    const bool repairs = !recipe.empty();
+    const bool repairs =
+        std::any_of(recipe.begin(), recipe.end(), [](const RepairStep& step) { return !step.off; });
     LoadedMesh loaded = load_mesh(path, reading, progress.part(0, repairs ? 0.3 : 1, "Reading the part"));
     if (!repairs) return {loaded.mesh, loaded.faces, std::move(loaded.report), {}};
     Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.3, 0.95));

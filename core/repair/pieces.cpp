@@ -44,10 +44,7 @@ Shells shells_of(const Mesh& mesh, const Progress& progress) {
     return result;
 }
 
-namespace detail {
-
-StepResult remove_pieces(const Mesh& mesh, const RepairStep& step, const Progress& progress) {
-    const Shells shells = shells_of(mesh, progress.part(0, 0.8));
+std::vector<char> pieces_that_go(const Shells& shells, const RepairStep& step) {
     const std::size_t n = shells.all.size();
     std::vector<char> goes(n, 0);
     for (std::size_t s = 0; s < n; ++s) {
@@ -65,6 +62,15 @@ StepResult remove_pieces(const Mesh& mesh, const RepairStep& step, const Progres
         for (std::size_t i = std::size_t(step.keep); i < n; ++i)
             goes[order[i]] = 1;
     }
+    return goes;
+}
+
+namespace detail {
+
+StepResult remove_pieces(const Mesh& mesh, const RepairStep& step, const Progress& progress) {
+    const Shells shells = shells_of(mesh, progress.part(0, 0.8));
+    const std::size_t n = shells.all.size();
+    const std::vector<char> goes = pieces_that_go(shells, step);
     StepResult result;
     std::size_t pieces = 0, facets = 0;
     for (std::size_t s = 0; s < n; ++s)

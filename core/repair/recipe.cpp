@@ -119,8 +119,8 @@ void check_step(RepairStep step, const std::string& place) {
     for (const ParameterInfo* info : view.parameters()) {
         const ParameterValue value = view.get(info->key);
         info->check(value);
-        const bool reads =
-            info->key == "kind" || std::find(keys.begin(), keys.end(), info->key) != keys.end();
+        const bool reads = info->key == "kind" || info->key == "off"
+                           || std::find(keys.begin(), keys.end(), info->key) != keys.end();
         if (!reads && value != info->default_value)
             refuse(place, ErrorCode::out_of_range, info->key, "a step of kind " + kind + " does not read it",
                    "leave it out");
@@ -172,6 +172,12 @@ const ParameterTable<RepairStep>& repair_step_parameters() {
                                          .required = "say what the step does"});
         add_amounts(t);
         add_shapes(t);
+        t.add(&RepairStep::off, {.key = "off",
+                                 .label = "Off",
+                                 .help = "The step stays in the recipe and is left out.",
+                                 .kind = ParameterKind::boolean,
+                                 .stage = Stage::mesh,
+                                 .default_unwritten = true});
         return t;
     }();
     return table;

@@ -38,6 +38,7 @@ struct RepairStep {
     double offset = 0;                     ///< cut: the plane's distance from the origin along the normal
     bool close = true;                     ///< cut: the section is closed
     double thickness = 0;                  ///< thicken: to the back of the sheet, to its front below 0
+    bool off = false;                      ///< in the recipe, and left out
 
     bool operator==(const RepairStep&) const = default;
 };
@@ -47,7 +48,7 @@ inline constexpr RecordList<RepairStep> repair_list{"repair", repair_step_parame
 
 /// "pieces", "turn", "needles" ...
 const std::string& repair_kind_name(RepairStep::Kind kind);
-/// Keys of the parameters that a kind reads; the others say nothing of it.
+/// Keys of the parameters that a kind reads beside `off`; the others say nothing of it.
 const std::vector<std::string>& repair_keys(RepairStep::Kind kind);
 
 /// Throws Error(missing_key, out_of_range) for a step that lacks what its kind needs, or that says what its

@@ -46,6 +46,7 @@ Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, 
     result.mesh = mesh;
     for (std::size_t i = 0; i < recipe.size(); ++i) {
         const RepairStep& step = recipe[i];
+        if (step.off) continue;
         const KindOfStep& kind = kind_of_step(step.kind);
         const double n = double(recipe.size());
         detail::StepResult done =

@@ -36,7 +36,7 @@ struct StepReport {
 
 struct Repaired {
     MeshPtr mesh; ///< the one that came in where no step changed it
-    std::vector<StepReport> steps;
+    std::vector<StepReport> steps; ///< of those that are not off
 };
 
 /// New vertices lie where a 32-bit float can say it, so that a binary STL file in mm holds the very mesh that

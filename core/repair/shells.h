@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
+#include "core/repair/recipe.h"
 
 #include <vector>
 
@@ -21,5 +22,8 @@ struct Shells {
 };
 
 Shells shells_of(const Mesh& mesh, const Progress& progress);
+
+/// For each shell whether a step of kind `pieces` takes it away.
+std::vector<char> pieces_that_go(const Shells& shells, const RepairStep& step);
 
 } // namespace facetmill
