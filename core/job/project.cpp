@@ -188,16 +188,16 @@ std::string at(const char* list, std::size_t i) {
 
 /// `what`: part, stock or fixture; `place`: part, stock or fixtures[0].
 void check_mesh_file(const std::string& file, const std::string& what, const std::string& place) {
+    const std::string formats = what == "part" ? mesh_format_names(" or ") : solid_format_names(" or ");
     if (file.empty())
         throw Error(ErrorCode::missing_key, place + ".file", "the " + what + " has no file",
-                    "name an " + mesh_format_names(" or ") + " file");
+                    "name an " + formats + " file");
     std::string extension = fs::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     if (extension == ".facetmill")
         throw Error(ErrorCode::unsupported_format, place + ".file",
-                    "a project cannot be the " + what + " of a project",
-                    "name an " + mesh_format_names(" or ") + " file");
+                    "a project cannot be the " + what + " of a project", "name an " + formats + " file");
 }
 
 void check_part(const Project& p) {

@@ -37,14 +37,28 @@ const MeshFormat* mesh_format_named(const std::string& file) {
     return mesh_format_of(detail::lower_extension(file));
 }
 
-std::string mesh_format_names(std::string_view last) {
+namespace {
+
+std::string names_of(const std::vector<MeshFormat>& formats, std::string_view last) {
     std::string names;
-    const auto& all = mesh_formats();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i > 0) names += i + 1 == all.size() ? last : ", ";
-        names += all[i].name;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (i > 0) names += i + 1 == formats.size() ? last : ", ";
+        names += formats[i].name;
     }
     return names;
+}
+
+} // namespace
+
+std::string mesh_format_names(std::string_view last) {
+    return names_of(mesh_formats(), last);
+}
+
+std::string solid_format_names(std::string_view last) {
+    std::vector<MeshFormat> solid;
+    for (const MeshFormat& format : mesh_formats())
+        if (!format.is_picture) solid.push_back(format);
+    return names_of(solid, last);
 }
 
 } // namespace facetmill

@@ -40,6 +40,8 @@ const MeshFormat* mesh_format_of(std::string_view extension);
 const MeshFormat* mesh_format_named(const std::string& file);
 /// "STL, OBJ, PLY", or with `last` = " or ": "STL, OBJ or PLY".
 std::string mesh_format_names(std::string_view last = ", ");
+/// Those that can hold a closed mesh, which a picture does not: of stock and fixtures.
+std::string solid_format_names(std::string_view last = ", ");
 
 namespace detail {
 

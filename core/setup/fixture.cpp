@@ -109,7 +109,7 @@ const ParameterTable<Fixture>& fixture_parameters() {
               fixture_length("height", "Height", "Of the cylinder, along Z before it is turned."));
         t.add(&Fixture::file, {.key = "file",
                                .label = "File",
-                               .help = "The fixture's mesh (" + mesh_format_names()
+                               .help = "The fixture's mesh (" + solid_format_names()
                                        + "), closed; a relative path starts at the project file.",
                                .kind = K::text,
                                .stage = Stage::mesh});

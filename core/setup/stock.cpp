@@ -45,7 +45,7 @@ const ParameterTable<StockSpec>& stock_parameters() {
         t.add(&StockSpec::file,
               {.key = "file",
                .label = "File",
-               .help = "The stock's mesh (" + mesh_format_names()
+               .help = "The stock's mesh (" + solid_format_names()
                        + "), closed, such as the stock.stl that `simulate` leaves; a relative path starts at "
                          "the project file.",
                .kind = K::text,
