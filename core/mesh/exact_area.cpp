@@ -1,6 +1,7 @@
 #include "core/mesh/exact_area.h"
 
-#include <array>
+#include "core/mesh/exact_sum.h"
+
 #include <cmath>
 #include <limits>
 
@@ -8,45 +9,9 @@ namespace facetmill::detail {
 
 namespace {
 
-/// A number as an unevaluated sum of doubles that do not overlap: exact.
-class ExactSum {
-public:
-    void add(double value) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double sum = value + terms_[i];
-            const double shifted = sum - value;
-            const double error = (value - (sum - shifted)) + (terms_[i] - shifted);
-            if (error != 0.0) terms_[kept++] = error;
-            value = sum;
-        }
-        count_ = kept;
-        if (value != 0.0) terms_[count_++] = value;
-    }
-    void add_product(double x, double y) {
-        const double product = x * y;
-        add(std::fma(x, y, -product));
-        add(product);
-    }
-    bool zero() const { return count_ == 0; }
-
-private:
-    std::array<double, 24> terms_{};
-    std::size_t count_ = 0;
-};
-
-/// x - y = high + low, exactly.
-struct Difference {
-    double high, low;
-    Difference(double x, double y) : high(x - y) {
-        const double shifted = x - high;
-        low = (x - (high + shifted)) + (shifted - y);
-    }
-};
-
 bool zero_determinant(double ax, double ay, double bx, double by, double cx, double cy) {
-    const Difference ux(bx, ax), uy(by, ay), vx(cx, ax), vy(cy, ay);
-    ExactSum sum;
+    const ExactDifference ux(bx, ax), uy(by, ay), vx(cx, ax), vy(cy, ay);
+    ExactSum<24> sum;
     for (const double x : {ux.high, ux.low})
         for (const double y : {vy.high, vy.low})
             sum.add_product(x, y);

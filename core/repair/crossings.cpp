@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/box_tree.h"
+#include "core/mesh/exact_side.h"
 #include "core/mesh/facet_boxes.h"
 #include "core/mesh/geometry_incidence.h"
 #include "core/mesh/unused_vertices.h"
@@ -11,7 +12,7 @@
 #include "core/repair/shells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace facetmill {
 
@@ -19,34 +20,8 @@ namespace {
 
 constexpr std::size_t crossings_per_block = 1024;
 
-/// Sign of the volume of the tetrahedron; 0 where rounding could have made it (Shewchuk 1997, bound A).
-int volume_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    constexpr double share = 8e-16;
-    const Vec3 u = a - d, v = b - d, w = c - d;
-    const double vw = v.y() * w.z() - v.z() * w.y(), wu = w.y() * u.z() - w.z() * u.y(),
-                 uv = u.y() * v.z() - u.z() * v.y();
-    const double volume = u.x() * vw + v.x() * wu + w.x() * uv;
-    const double size = std::abs(u.x()) * (std::abs(v.y() * w.z()) + std::abs(v.z() * w.y()))
-                        + std::abs(v.x()) * (std::abs(w.y() * u.z()) + std::abs(w.z() * u.y()))
-                        + std::abs(w.x()) * (std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()));
-    const double doubt = share * size;
-    return volume > doubt ? 1 : volume < -doubt ? -1 : 0;
-}
-
-/// The inside of the segment comes through the inside of the triangle.
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const int above = volume_sign(a, b, c, p), below = volume_sign(a, b, c, q);
-    if (above == 0 || below == 0 || above == below) return false;
-    const int side = volume_sign(p, q, a, b);
-    return side != 0 && volume_sign(p, q, b, c) == side && volume_sign(p, q, c, a) == side;
-}
-
-bool sides_pierce(const Mesh& mesh, std::size_t f, std::size_t g) {
-    for (int k = 0; k < 3; ++k)
-        if (pierces(mesh.corner(f, k), mesh.corner(f, (k + 1) % 3), mesh.corner(g, 0), mesh.corner(g, 1),
-                    mesh.corner(g, 2)))
-            return true;
-    return false;
+std::array<Vec3, 3> corners_of(const Mesh& mesh, std::size_t f) {
+    return {mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)};
 }
 
 std::size_t shared_corners(const Facet& a, const Facet& b) {
@@ -76,7 +51,7 @@ std::vector<std::pair<Index, Index>> crossing_facets(const Mesh& mesh, const Pro
                     },
                     [&](std::size_t g) {
                         if (g <= f || shared_corners(mesh.facets[f], mesh.facets[g]) > 1) return;
-                        if (sides_pierce(mesh, f, g) || sides_pierce(mesh, g, f))
+                        if (triangles_cross(corners_of(mesh, f), corners_of(mesh, g)))
                             found.emplace_back(Index(f), Index(g));
                     });
                 std::sort(found.begin() + std::ptrdiff_t(first), found.end());
