@@ -14,6 +14,7 @@ Command simulate_command();
 Command cspace_command();
 Command drop_command();
 Command render_command();
+Command export_command();
 Command report_command();
 Command pack_command();
 Command unpack_command();

@@ -1,6 +1,7 @@
 // facetmill-cli simulate: removes material by a project's plan, or by CL files, and compares what is left
 // with the part.
 #include "app/cli_commands.h"
+#include "app/cli_judge.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
 #include "core/base/file.h"
@@ -22,65 +23,6 @@ namespace facetmill::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where someone asks for a spacing, memory is the limit.
-constexpr std::size_t max_samples_asked_for = 10'000'000;
-
-double positive_length(const Arguments& arguments, const char* option, double per) {
-    if (!arguments.has(option)) return 0;
-    const double v = arguments.number(option, 0) * per;
-    if (!(v > 0))
-        throw Error(ErrorCode::usage, option, "'" + printable(arguments.value(option)) + "' is not above 0",
-                    "give a length in the project's units");
-    return v;
-}
-
-double uncut_limit(const Arguments& arguments) {
-    const double share = arguments.number("--uncut-limit", 0);
-    if (!(share >= 0 && share <= 1))
-        throw Error(ErrorCode::usage, "--uncut-limit",
-                    "'" + printable(arguments.value("--uncut-limit")) + "' is no share",
-                    "give a number from 0 to 1: 0.02 is 2 %");
-    return share;
-}
-
-/// A spacing that asks for a little too much is made coarser, and that is told; one that asks for more is a
-/// slip.
-void check_spacing(double spacing, const PreparedPart& part, LengthUnit unit) {
-    constexpr double slack = 10;
-    const double places = estimate_places(part, spacing), most = double(max_samples_asked_for);
-    if (places <= slack * most) return;
-    throw Error(ErrorCode::limit_exceeded, "--spacing",
-                length_text(spacing, unit, 3) + " asks for about " + format_number(places, 2)
-                    + " places; at most " + format_number(most) + " are compared",
-                "use at least " + length_text(1.05 * spacing * std::sqrt(places / most), unit, 3));
-}
-
-/// What the command line asks of the judge.
-class AskedSettings {
-public:
-    AskedSettings(const Arguments& arguments, LengthUnit unit)
-        : arguments_(arguments), unit_(unit), resolution_(positive_length(arguments, "--resolution", per())),
-          spacing_(positive_length(arguments, "--spacing", per())),
-          gouge_limit_(positive_length(arguments, "--gouge-limit", per())) {}
-
-    void apply(VerifySettings& settings, const PreparedPart& part) const {
-        if (arguments_.has("--gouge-limit")) settings.gouge_limit = gouge_limit_;
-        if (arguments_.has("--uncut-limit")) settings.uncut_limit = uncut_limit(arguments_);
-        settings.resolution = resolution_;
-        settings.sample_spacing = spacing_;
-        if (spacing_ > 0) {
-            settings.max_samples = max_samples_asked_for;
-            check_spacing(spacing_, part, unit_);
-        }
-    }
-
-private:
-    double per() const { return mm_per(unit_); }
-    const Arguments& arguments_;
-    LengthUnit unit_;
-    double resolution_, spacing_, gouge_limit_;
-};
 
 /// Never over what is read.
 void keep_read(const Arguments& arguments, const Project& project, const fs::path& folder,
@@ -243,12 +185,8 @@ Command simulate_command() {
                      .help =
                          "plans and simulates only this operation, after the setups whose stock it goes on "
                          "with"},
-                    {.name = "--resolution",
-                     .value = "R",
-                     .help = "of the stock, in the project's units (default: 1/20 of the cutter's radius)"},
-                    {.name = "--spacing",
-                     .value = "S",
-                     .help = "of the places compared, in the project's units (default: the resolution)"},
+                    resolution_option(),
+                    spacing_option(),
                     {.name = "--gouge-limit",
                      .value = "G",
                      .help = "what is a gouge, in the project's units (default: the project's)"},

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ Rgb deviation_color(const DeviationScale& scale, double deviation);
 Rgb unjudged_color();
 /// -1 is red, 0 green, 1 blue.
 Rgb deviation_color_at(double t);
+
+/// Samples near borders and on faces that no tool axis sees count with gouges only, bare ones not at all:
+/// what does not count is grey. `gouge_limit` tells what is a gouge.
+bool judged(std::uint8_t flags, float deviation, double gouge_limit);
+
+/// Colours of samples (`flags` may be empty: all judged unless NaN). About 10 ms per million.
+std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
+                                           std::span<const std::uint8_t> flags, const DeviationScale& scale);
 
 /// Marks beside a bar or under a histogram of the scale: value and text, ascending; ends, zero and the limits
 /// where they stand apart by at least `min_gap` of the scale's width.

@@ -1,7 +1,5 @@
 #include "viz/deviation_display.h"
 
-#include "viz/palette.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,55 +10,7 @@ namespace {
 
 constexpr std::size_t samples_per_check = 1u << 16; // samples or triangles: a few ms
 
-/// Colours looked up by place in the range, because a sample must not cost a search in the map.
-class Lookup {
-public:
-    explicit Lookup(const DeviationScale& scale) : scale_(scale) {
-        for (std::size_t i = 0; i <= size; ++i)
-            table_[i] = bytes(deviation_color(scale, at(i)));
-        gray_ = bytes(unjudged_color());
-        red_ = bytes(deviation_color_at(-1));
-        blue_ = bytes(deviation_color_at(1));
-    }
-    const std::array<std::uint8_t, 4>& operator()(double d) const {
-        if (d < std::min(scale_.low, -scale_.gouge_limit)) return red_;
-        if (d > std::max(scale_.high, scale_.tolerance)) return blue_;
-        const double t = (d - scale_.low) / (scale_.high - scale_.low);
-        return table_[std::size_t(std::clamp(t, 0.0, 1.0) * size + 0.5)];
-    }
-    const std::array<std::uint8_t, 4>& gray() const { return gray_; }
-
-private:
-    static constexpr std::size_t size = 4096;
-    double at(std::size_t i) const { return scale_.low + (scale_.high - scale_.low) * double(i) / size; }
-    static std::array<std::uint8_t, 4> bytes(const Rgb& c) {
-        const auto byte = [](double v) { return std::uint8_t(std::lround(255 * v)); };
-        return {byte(c.r), byte(c.g), byte(c.b), 255};
-    }
-    DeviationScale scale_;
-    std::array<std::array<std::uint8_t, 4>, size + 1> table_;
-    std::array<std::uint8_t, 4> gray_, red_, blue_;
-};
-
 } // namespace
-
-bool judged(std::uint8_t flags, float deviation, double gouge_limit) {
-    if (!std::isfinite(deviation) || (flags & DeviationSurface::bare)) return false;
-    return flags == DeviationSurface::counted || double(deviation) < -gouge_limit;
-}
-
-std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
-                                           std::span<const std::uint8_t> flags, const DeviationScale& scale) {
-    const Lookup lookup(scale);
-    std::vector<std::uint8_t> colors(4 * deviation.size());
-    for (std::size_t i = 0; i < deviation.size(); ++i) {
-        const std::uint8_t flag = flags.empty() ? std::uint8_t(DeviationSurface::counted) : flags[i];
-        const auto& c =
-            judged(flag, deviation[i], scale.gouge_limit) ? lookup(double(deviation[i])) : lookup.gray();
-        std::copy(c.begin(), c.end(), colors.begin() + std::ptrdiff_t(4 * i));
-    }
-    return colors;
-}
 
 DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSurface> surface,
                                               const DeviationScale& scale, const Progress& progress) {

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -32,14 +31,6 @@ struct DeviationDisplay {
 };
 
 using DeviationDisplayPtr = std::shared_ptr<const DeviationDisplay>;
-
-/// Samples near borders and on faces that no tool axis sees count with gouges only, bare ones not at all:
-/// what does not count is grey. `gouge_limit` tells what is a gouge.
-bool judged(std::uint8_t flags, float deviation, double gouge_limit);
-
-/// Colours of samples (`flags` may be empty: all judged unless NaN). About 10 ms per million.
-std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
-                                           std::span<const std::uint8_t> flags, const DeviationScale& scale);
 
 /// Throws Error(out_of_range) where the surface's arrays do not fit each other.
 DeviationDisplayPtr prepare_deviation_display(std::shared_ptr<const DeviationSurface> surface,

@@ -1,4 +1,3 @@
-// Meshes in and out. Readers of our own for every format of mesh_format.h; see mesh_report.h for what is
 // Meshes in and out. Readers of our own for every format of mesh_format.h but those of surfaces; see
 // mesh_report.h for what is checked. Units: most files have none; the reading says how to take them, and the
 // result is mm. A picture is read as a relief: an open sheet over the rectangle from the origin to (width,
@@ -49,8 +48,9 @@ void save_stl(const Mesh& mesh, const std::filesystem::path& path, LengthUnit un
 class StlStream {
 public:
     StlStream(OutputFile& file, LengthUnit unit);
-    /// Counter-clockwise seen from outside; mm. A facet without area has the normal 0.
-    void add(const Vec3& a, const Vec3& b, const Vec3& c);
+    /// Counter-clockwise seen from outside; mm. A facet without area has the normal 0. `attribute`: the two
+    /// bytes behind each facet, which nothing is agreed on for.
+    void add(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t attribute = 0);
     /// Puts the number of facets in its place.
     void finish();
 

@@ -36,7 +36,7 @@ StlStream::StlStream(OutputFile& file, LengthUnit unit)
     buffer_.reserve(facets_per_write * record);
 }
 
-void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c) {
+void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t attribute) {
     if (++count_ >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::too_large, name_, "an STL file holds at most 4 294 967 294 facets",
                     "write the part in pieces");
@@ -52,6 +52,8 @@ void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c) {
                         "nothing was written");
         put_vector(bytes.data() + 12 + 12 * k, corner);
     }
+    bytes[record - 2] = char(attribute & 0xFF);
+    bytes[record - 1] = char(attribute >> 8);
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     if (buffer_.size() >= facets_per_write * record) flush();
 }
