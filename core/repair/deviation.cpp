@@ -46,33 +46,52 @@ bool same_corners(const Mesh& a, std::size_t f, const Mesh& b, std::size_t g) {
 
 } // namespace
 
-DeviationIndex::DeviationIndex(const Mesh& mesh, const Progress& progress)
-    : mesh_(mesh), tree_(facet_boxes(mesh), progress) {
+DeviationIndex::DeviationIndex(const Mesh& mesh, const Progress& progress, double reach)
+    : mesh_(mesh), reach2_(reach * reach), tree_(facet_boxes(mesh), progress) {
     double sum = 0;
     for (std::size_t f = 0; f < mesh.facet_count(); ++f)
         sum += (mesh.corner(f, 1) - mesh.corner(f, 0)).norm();
     grain_ = sum / double(std::max<std::size_t>(mesh.facet_count(), 1));
 }
 
+double DeviationIndex::squared(const Vec3& p, Index f) const {
+    return squared_distance(p, mesh_.corner(f, 0), mesh_.corner(f, 1), mesh_.corner(f, 2));
+}
+
 DeviationIndex::Place DeviationIndex::place(const Vec3& p, Index hint) const {
     Place found;
     found.at = p;
-    found.facet = hint;
-    const auto squared = [&](Index f) {
-        return squared_distance(p, mesh_.corner(f, 0), mesh_.corner(f, 1), mesh_.corner(f, 2));
-    };
-    double d2 = hint == no_index ? infinity : squared(hint);
-    tree_.nearest(p, d2, [&](std::size_t f) {
-        const double at = squared(Index(f));
-        if (at < d2) {
-            d2 = at;
-            found.facet = Index(f);
+    const double from_hint = hint == no_index ? infinity : squared(p, hint);
+    for (const double start : {reach2_, infinity}) {
+        double d2 = start;
+        if (from_hint <= start) {
+            d2 = from_hint;
+            found.facet = hint;
         }
-    });
+        tree_.nearest(p, d2, [&](std::size_t f) {
+            const double at = squared(p, Index(f));
+            if (at < d2) {
+                d2 = at;
+                found.facet = Index(f);
+            }
+        });
+        if (found.facet != no_index) break;
+    }
     if (found.facet == no_index) return found;
     found.nearest = nearest_in_triangle(p, mesh_.corner(found.facet, 0), mesh_.corner(found.facet, 1),
                                         mesh_.corner(found.facet, 2));
     found.distance = (found.nearest - p).norm();
+    return found;
+}
+
+bool DeviationIndex::is_within(const Vec3& p, double bound2) const {
+    bool found = false;
+    double near2 = std::nextafter(bound2, infinity);
+    tree_.nearest(p, near2, [&](std::size_t f) {
+        if (squared(p, Index(f)) > bound2) return;
+        found = true;
+        near2 = 0; // enough
+    });
     return found;
 }
 

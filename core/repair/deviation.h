@@ -20,12 +20,15 @@ public:
         Index facet = no_index;
     };
 
-    /// The mesh must outlive this, and have a facet.
-    DeviationIndex(const Mesh& mesh, const Progress& progress);
+    /// The mesh must outlive this, and have a facet. `reach`: places are mostly nearer than this; they are
+    /// found sooner then.
+    DeviationIndex(const Mesh& mesh, const Progress& progress, double reach = infinity);
 
     /// `hint`: a facet that may be the nearest.
     Place place(const Vec3& p, Index hint = no_index) const;
     Index nearest_facet(const Vec3& p) const { return place(p).facet; }
+    /// Whether a place of the surface is no farther than the square root of `bound2`. Sooner than `place`.
+    bool is_within(const Vec3& p, double bound2) const;
 
     /// How far the triangle lies from the surface at most, to `accuracy`, where that is more than `floor`;
     /// else any number up to `floor`. The triangle of the places that are nearest to its corners lies off the
@@ -35,8 +38,10 @@ public:
 
 private:
     double bend(const std::array<Place, 3>& corners, double longest) const;
+    double squared(const Vec3& p, Index f) const;
 
     const Mesh& mesh_;
+    double reach2_;
     BoxTree tree_;
     double grain_ = 0; ///< mm: mean length of edges
 };
