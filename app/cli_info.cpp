@@ -43,7 +43,7 @@ RepairedMesh read_part(const Arguments& arguments, const std::string& path, cons
     refuse_reading_options(arguments);
     const Project project = load_project(path);
     check_recipe(project.part.repair, "part.repair");
-    return load_repaired(project.part_path(), project.part_reading(), project.part.repair, progress);
+    return load_repaired(project.part_path(), project.part_reading(), project.part_recipe(), progress);
 }
 
 void run_info(const Arguments& arguments, Session& session) {

@@ -5,6 +5,7 @@
 #include "core/base/strict_json.h"
 #include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/mesh_writer.h"
 #include "core/repair/repair.h"
 #include "core/repair/survey.h"
 
@@ -92,6 +93,24 @@ RepairStep bound_step(Kind kind, const std::string& option, const std::string& t
     return step;
 }
 
+/// The file's name may hold colons: numbers are taken from its end.
+RepairStep join_step(const std::string& text, double per) {
+    std::vector<double> numbers;
+    std::string file = text;
+    constexpr std::size_t most = 2;
+    while (numbers.size() < most) {
+        const std::size_t colon = file.rfind(':');
+        double v = 0;
+        if (colon == std::string::npos || !parse_number(file.substr(colon + 1), v)) break;
+        numbers.insert(numbers.begin(), v);
+        file.resize(colon);
+    }
+    RepairStep step{.kind = Kind::join, .file = file};
+    if (!numbers.empty()) step.size = per * numbers[0];
+    if (numbers.size() > 1) step.bound = per * numbers[1];
+    return step;
+}
+
 RepairStep cut_step(const std::string& text, double per) {
     const std::string remedy =
         "write the normal and how far off the origin, as in 0,0,1,12.5 or 0,0,1,12.5:open";
@@ -125,6 +144,7 @@ std::vector<RepairStep> recipe_of(const Arguments& arguments, double per) {
         if (option == "--decimate") recipe.push_back(bound_step(Kind::decimate, option, text, per));
         if (option == "--cut") recipe.push_back(cut_step(text, per));
         if (option == "--crossings") recipe.push_back(fill_step(Kind::crossings, option, text, per));
+        if (option == "--join") recipe.push_back(join_step(text, per));
         if (option == "--thicken") {
             RepairStep step{.kind = Kind::thicken};
             step.thickness = per * read_number(option, text, "write a thickness, as in 2");
@@ -206,6 +226,7 @@ void run_repair(const Arguments& arguments, Session& session) {
         throw Error(ErrorCode::usage, "repair", "no step is given", "give one, or --list");
     if (!lists && !arguments.has("-o"))
         throw Error(ErrorCode::usage, "repair", "-o is missing", "write -o FILE");
+    if (!lists) mesh_file_kind(arguments.value("-o")); // told before a long job
     use_threads(arguments);
     const Progress progress = session.progress();
     const LoadedMesh loaded =
@@ -216,13 +237,14 @@ void run_repair(const Arguments& arguments, Session& session) {
     out["before"] = mesh_json(*loaded.mesh, loaded.report);
     if (lists) return list_faults(loaded, out, per, session, progress.part(0.15, 1));
 
-    const Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.15, 0.9));
+    const Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.15, 0.9), unit);
     MeshReport report;
     report.assumed_unit = unit;
     analyse_mesh(*repaired.mesh, report, progress.part(0.9, 0.95));
     const std::string file = arguments.value("-o");
     OutputFile output(file);
-    write_stl(*repaired.mesh, output, unit, progress.part(0.95, 1, "Writing"));
+    write_mesh(*repaired.mesh, output, {.unit = unit, .name = loaded.report.name},
+               progress.part(0.95, 1, "Writing"));
     output.close_stream();
     out["after"] = mesh_json(*repaired.mesh, report);
     out["steps"] = repairs_json(repaired.steps, unit);
@@ -241,7 +263,7 @@ Command repair_command() {
     return {
         .name = "repair",
         .operands = {"PART"},
-        .summary = "Makes a scan worth machining, step by step, and writes it as binary STL.",
+        .summary = "Makes a scan worth machining, step by step, and writes it as STL, 3MF or PLY.",
         .help =
             "Steps are carried out in the order in which they are given; each may be given several times. "
             "Each tells its\n"
@@ -294,12 +316,18 @@ Command repair_command() {
               .value = "SIZE[:flat]",
               .help = "makes places of at most this size anew where the surface runs through itself",
               .repeated = true},
+             {.name = "--join",
+              .value = "FILE[:APART[:MOVE]]",
+              .help =
+                  "joins a scan on that overlaps; they lie up to APART from each other (default: three mean "
+                  "edges); it is laid on the part, and moves by no more than MOVE (default: not at all)",
+              .repeated = true},
              {.name = "--recipe", .value = "FILE", .help = "the steps of a file", .repeated = true},
              {.name = "--units",
               .value = "UNIT",
               .help = "unit of all lengths: mm, cm, m, in, ft (default: mm)"},
              threads_option(),
-             {.name = "-o", .value = "FILE", .help = "the file to write"}},
+             {.name = "-o", .value = "FILE", .help = "the file to write: .stl, .3mf or .ply"}},
         .run = run_repair};
 }
 

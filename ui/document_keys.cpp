@@ -44,7 +44,7 @@ std::string part_key(const Project& project) {
     std::string key = placed(project.part_path(), project.placed_part());
     key += "|" + reading_key(project.part_reading());
     if (project.part.flip) key += "|flip";
-    key += recipe_key(project.part.repair);
+    key += recipe_key(project.part_recipe());
     if (const std::filesystem::path stock = project.stock_path(); !stock.empty())
         key += "|" + placed(stock, project.stock);
     if (const std::string fixtures = fixtures_key(project); !fixtures.empty()) key += "|held|" + fixtures;

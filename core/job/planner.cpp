@@ -368,7 +368,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const PartSpec spec = project.placed_part();
     Key load_key;
     const MeshReading how = project.part_reading();
-    const std::string recipe = recipe_key(spec.repair);
+    const std::string recipe = recipe_key(project.part_recipe());
     load_key.add(std::string_view(file_stamp(path)))
         .add(std::string_view(reading_key(how)))
         .add(std::string_view(recipe));
@@ -382,7 +382,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
         if (!c.loaded || c.load_key != load_key.text()) {
-            RepairedMesh loaded = load_repaired(path, how, spec.repair, reading.part(0.0, 0.6));
+            RepairedMesh loaded = load_repaired(path, how, project.part_recipe(), reading.part(0.0, 0.6));
             ++c.work.loads;
             c.loaded = std::move(loaded);
             c.load_key = load_key.text();

@@ -39,6 +39,10 @@ MeshReading Project::part_reading() const {
     return reading;
 }
 
+std::vector<RepairStep> Project::part_recipe() const {
+    return located_recipe(part.repair, path.parent_path());
+}
+
 fs::path Project::stock_path() const {
     return stock.kind == StockSpec::Kind::mesh ? from_project(path, stock.file) : fs::path();
 }

@@ -66,6 +66,8 @@ struct Project : Setup {
     /// finest tolerance of all operations, where the part does not say itself how closely; other files are
     /// read alike whatever operations say.
     MeshReading part_reading() const;
+    /// The part's recipe with its files where they are looked for.
+    std::vector<RepairStep> part_recipe() const;
     std::filesystem::path stock_path() const; ///< of the stock's file; empty where it has none
     /// File of a fixture that is a mesh; empty for others.
     std::filesystem::path fixture_path(const Fixture& fixture) const;

@@ -22,6 +22,8 @@ std::string& input_file(Project& project, const ProjectInput& input) {
         return project.machine;
     case ProjectInput::Kind::post:
         return project.programs.post;
+    case ProjectInput::Kind::scan:
+        return project.part.repair.at(input.place).file;
     case ProjectInput::Kind::part:
         break;
     }
@@ -40,6 +42,8 @@ std::string_view input_name(ProjectInput::Kind kind) {
         return "machine";
     case ProjectInput::Kind::post:
         return "post";
+    case ProjectInput::Kind::scan:
+        return "scan";
     case ProjectInput::Kind::part:
         break;
     }
@@ -55,6 +59,9 @@ std::vector<ProjectInput> project_inputs(const Project& project) {
     using Kind = ProjectInput::Kind;
     std::vector<ProjectInput> inputs;
     if (!project.part.file.empty()) inputs.push_back({Kind::part, project.part_path()});
+    const std::vector<RepairStep> recipe = project.part_recipe();
+    for (std::size_t i = 0; i < recipe.size(); ++i)
+        if (!recipe[i].file.empty()) inputs.push_back({Kind::scan, recipe[i].file, i});
     if (const fs::path stock = project.stock_path(); !stock.empty()) inputs.push_back({Kind::stock, stock});
     for (std::size_t i = 0; i < project.fixtures.size(); ++i)
         if (const fs::path file = project.fixture_path(project.fixtures[i]); !file.empty())
@@ -89,6 +96,7 @@ const std::string& written_name(const Project& project, const ProjectInput& inpu
 std::string input_key(const ProjectInput& input) {
     using Kind = ProjectInput::Kind;
     if (input.kind == Kind::fixture) return "fixtures[" + std::to_string(input.place) + "].file";
+    if (input.kind == Kind::scan) return "part.repair[" + std::to_string(input.place) + "].file";
     const bool named_itself = input.kind == Kind::machine || input.kind == Kind::post;
     return std::string(input_name(input.kind)) + (named_itself ? "" : ".file");
 }
@@ -112,6 +120,8 @@ void set_input(Project& project, const ProjectInput& input, const fs::path& file
 
 void take_inputs(Project& to, const Project& from) {
     to.part.file = from.part.file;
+    for (std::size_t i = 0; i < to.part.repair.size(); ++i)
+        to.part.repair[i].file = from.part.repair.at(i).file;
     for (std::size_t i = 0; i < setup_count(to); ++i) {
         Setup& setup = setup_at(to, i);
         const Setup& named = setup_at(from, i);

@@ -12,14 +12,14 @@ namespace facetmill {
 
 /// A file that a project names.
 struct ProjectInput {
-    enum class Kind { part, stock, fixture, machine, post };
+    enum class Kind { part, stock, fixture, machine, post, scan };
     Kind kind = Kind::part;
     std::filesystem::path path; ///< where it is looked for
-    std::size_t place = 0;      ///< fixture: in the setup's list
+    std::size_t place = 0;      ///< fixture: in the setup's list; scan: of its step in the part's recipe
     bool operator==(const ProjectInput&) const = default;
 };
 
-/// "part", "stock", "fixture", "machine", "post".
+/// "part", "stock", "fixture", "machine", "post", "scan".
 std::string_view input_name(ProjectInput::Kind kind);
 
 /// There is nothing at this place, neither a file nor anything else.
@@ -34,7 +34,7 @@ void check_inputs(const Project& project);
 
 /// What the project says of one, as it is written.
 const std::string& written_name(const Project& project, const ProjectInput& input);
-/// "part.file", "fixtures[2].file", "machine", "post".
+/// "part.file", "fixtures[2].file", "machine", "post", "part.repair[0].file".
 std::string input_key(const ProjectInput& input);
 /// Writes a name in the place of one; `set_input` finds it for a file.
 void write_name(Project& project, const ProjectInput& input, const std::string& name);

@@ -40,7 +40,9 @@ RepairedMesh load_repaired(const std::filesystem::path& path, const MeshReading&
         std::any_of(recipe.begin(), recipe.end(), [](const RepairStep& step) { return !step.off; });
     LoadedMesh loaded = load_mesh(path, reading, progress.part(0, repairs ? 0.3 : 1, "Reading the part"));
     if (!repairs) return {loaded.mesh, loaded.faces, std::move(loaded.report), {}};
-    Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.3, 0.95));
+    MeshReading scans = reading; // all of each
+    scans.objects.clear();
+    Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.3, 0.95), scans);
     MeshReport report = report_after(loaded.report, *repaired.mesh, progress.part(0.95, 1));
     return {repaired.mesh, nullptr, std::move(report), std::move(repaired.steps)};
 }
@@ -49,6 +51,8 @@ std::string recipe_key(const std::vector<RepairStep>& recipe) {
     if (recipe.empty()) return {};
     Key key;
     key.add_value(ParameterValue(repair_list.values(recipe)));
+    for (const RepairStep& step : recipe)
+        if (!step.file.empty()) key.add(std::string_view(file_stamp(step.file)));
     return "repair" + key.text();
 }
 

@@ -19,11 +19,13 @@ struct RepairedMesh {
     std::vector<StepReport> repairs;
 };
 
-/// Reads the file and carries the recipe out. Throws what load_mesh and run_recipe throw.
+/// Reads the file and carries the recipe out, whose files are where they are looked for
+/// (Project::part_recipe); scans that are joined on are read as the part is. Throws what load_mesh and
+/// run_recipe throw.
 RepairedMesh load_repaired(const std::filesystem::path& path, const MeshReading& reading,
                            const std::vector<RepairStep>& recipe, const Progress& progress);
 
-/// Another text for another recipe; empty for none.
+/// Another text for another recipe, or once a file of it was written anew; empty for none.
 std::string recipe_key(const std::vector<RepairStep>& recipe);
 
 /// What the steps did, as reports and `info` tell it: kind, displacement in `unit`, counts, facets.

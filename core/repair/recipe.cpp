@@ -42,7 +42,9 @@ ParameterInfo step_count(const char* key, const char* label, const char* help) {
 void add_amounts(ParameterTable<RepairStep>& t) {
     t.add(&RepairStep::size, step_length("size", "Size",
                                          "pieces: those whose box has a smaller diagonal go. holes: those of "
-                                         "at most this diameter are filled, 0: all. crossings: as holes."));
+                                         "at most this diameter are filled, 0: all. crossings: as holes. "
+                                         "join: how far two scans of one surface may lie apart, 0: three "
+                                         "mean edges."));
     t.add(&RepairStep::facets,
           step_count("facets", "Facets",
                      "pieces: those with fewer facets go. decimate: ends when so few are left."));
@@ -58,7 +60,9 @@ void add_amounts(ParameterTable<RepairStep>& t) {
                                      .stage = Stage::mesh,
                                      .default_unwritten = true});
     ParameterInfo bound =
-        step_length("bound", "Bound", "needles, smooth, decimate: no place of the surface moves farther.");
+        step_length("bound", "Bound",
+                    "needles, smooth, decimate: no place of the surface moves farther. join: nor does the "
+                    "other scan, which is laid on this one; 0: it stays where it is.");
     bound.maximum = largest_bound;
     t.add(&RepairStep::bound, bound);
 }
@@ -105,6 +109,13 @@ void add_shapes(ParameterTable<RepairStep>& t) {
     thickness.minimum = -largest_bound;
     thickness.maximum = largest_bound;
     t.add(&RepairStep::thickness, thickness);
+    t.add(&RepairStep::file, {.key = "file",
+                              .label = "File",
+                              .help = "join: the file of the scan that is joined on, in the unit and the "
+                                      "coordinates of this one.",
+                              .kind = ParameterKind::text,
+                              .stage = Stage::mesh,
+                              .default_unwritten = true});
 }
 
 [[noreturn]] void refuse(const std::string& place, ErrorCode code, const std::string& key,
@@ -149,6 +160,9 @@ void check_step(RepairStep step, const std::string& place) {
     case Kind::crossings:
         need(step.size > 0, "size", "say how large a place may be made anew");
         break;
+    case Kind::join:
+        need(!step.file.empty(), "file", "name the other scan's file");
+        break;
     case Kind::turn:
     case Kind::holes:
         break;
@@ -165,9 +179,9 @@ const ParameterTable<RepairStep>& repair_step_parameters() {
                                          .help = "What the step does: takes small pieces away, turns facets "
                                                  "to agree, takes needles away, fills holes, smooths noise, "
                                                  "decimates, cuts by a plane, thickens a sheet, makes anew "
-                                                 "where the surface crosses itself.",
+                                                 "where the surface crosses itself, joins another scan on.",
                                          .words = {"pieces", "turn", "needles", "holes", "smooth", "decimate",
-                                                   "cut", "thicken", "crossings"},
+                                                   "cut", "thicken", "crossings", "join"},
                                          .stage = Stage::mesh,
                                          .required = "say what the step does"});
         add_amounts(t);
@@ -196,13 +210,20 @@ const std::vector<std::string>& repair_keys(Kind kind) {
                                                        {"bound", "share", "facets"},
                                                        {"normal", "offset", "close"},
                                                        {"thickness"},
-                                                       {"size", "fill"}};
+                                                       {"size", "fill"},
+                                                       {"file", "size", "bound"}};
     return of_kind[std::size_t(kind)];
 }
 
 void check_recipe(const std::vector<RepairStep>& recipe, const std::string& place) {
     for (std::size_t i = 0; i < recipe.size(); ++i)
         check_step(recipe[i], strict::element(place, i));
+}
+
+std::vector<RepairStep> located_recipe(std::vector<RepairStep> recipe, const std::filesystem::path& folder) {
+    for (RepairStep& step : recipe)
+        if (!step.file.empty()) step.file = (folder / step.file).string(); // an absolute one stays
+    return recipe;
 }
 
 std::vector<RepairStep> load_recipe(const std::filesystem::path& path) {
@@ -224,7 +245,7 @@ std::vector<RepairStep> load_recipe(const std::filesystem::path& path) {
         const ParameterValue value = read_value(list, info, repair_list.key, unit);
         std::vector<RepairStep> recipe = repair_list.structs(std::get<ParameterRecords>(value));
         check_recipe(recipe, repair_list.key);
-        return recipe;
+        return located_recipe(std::move(recipe), path.parent_path());
     } catch (const Error& e) {
         throw e.within(name);
     }

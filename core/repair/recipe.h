@@ -23,15 +23,17 @@ struct RepairStep {
         cut,       ///< what lies above a plane is taken away
         thicken,   ///< a sheet becomes a solid
         crossings, ///< where the surface runs through itself it is made anew
+        join,      ///< another scan goes on where this one ends
     };
     enum class Fill { smooth, flat };
     Kind kind = Kind::turn;
-    double size = 0;                       ///< pieces: diagonal of the box; holes, crossings: diameter
-    long facets = 0;                       ///< pieces: with fewer; decimate: as many stay
-    double area = 0;                       ///< pieces: with less
-    long keep = 0;                         ///< pieces: so many with the largest areas stay
-    Fill fill = Fill::smooth;              ///< holes
-    double bound = 0;                      ///< needles, smooth, decimate: nothing moves farther
+    double size = 0;          ///< pieces: diagonal of the box; holes, crossings: diameter; join: scans lie no
+                              ///< farther apart
+    long facets = 0;          ///< pieces: with fewer; decimate: as many stay
+    double area = 0;          ///< pieces: with less
+    long keep = 0;            ///< pieces: so many with the largest areas stay
+    Fill fill = Fill::smooth; ///< holes
+    double bound = 0; ///< needles, smooth, decimate: nothing moves farther; join: the scan laid on this one
     double angle = radians(60);            ///< smooth: edges with a sharper bend are features
     double share = 0;                      ///< decimate: of the facets that stays
     std::array<double, 3> normal{0, 0, 1}; ///< cut: what lies on its side goes
@@ -39,6 +41,7 @@ struct RepairStep {
     bool close = true;                     ///< cut: the section is closed
     double thickness = 0;                  ///< thicken: to the back of the sheet, to its front below 0
     bool off = false;                      ///< in the recipe, and left out
+    std::string file;                      ///< join: the other scan
 
     bool operator==(const RepairStep&) const = default;
 };
@@ -55,8 +58,11 @@ const std::vector<std::string>& repair_keys(RepairStep::Kind kind);
 /// kind does not read. `place` is the way to the list.
 void check_recipe(const std::vector<RepairStep>& recipe, const std::string& place);
 
+/// With the files of its steps looked for from a folder, where they are not absolute.
+std::vector<RepairStep> located_recipe(std::vector<RepairStep> recipe, const std::filesystem::path& folder);
+
 /// A recipe as a file: {"units": "mm", "repair": [{"kind": "holes", "size": 5}]}. Throws Error(files) and
-/// what read_parameters and check_recipe throw.
+/// what read_parameters and check_recipe throw. Files of steps are looked for from its folder.
 std::vector<RepairStep> load_recipe(const std::filesystem::path& path);
 
 } // namespace facetmill

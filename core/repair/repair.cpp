@@ -2,7 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/strict_json.h"
+#include "core/mesh/mesh_io.h"
 #include "core/mesh/unused_vertices.h"
+#include "core/repair/join.h"
 #include "core/repair/repair_step.h"
 
 #include <string>
@@ -12,7 +14,20 @@ namespace facetmill {
 namespace {
 
 using Kind = RepairStep::Kind;
-using Step = detail::StepResult (*)(const Mesh&, const RepairStep&, const Progress&);
+using Step = detail::StepResult (*)(const Mesh&, const RepairStep&, const MeshReading&, const Progress&);
+
+/// A step that reads no file.
+template <detail::StepResult (*run)(const Mesh&, const RepairStep&, const Progress&)>
+detail::StepResult alone(const Mesh& mesh, const RepairStep& step, const MeshReading& /*reading*/,
+                         const Progress& progress) {
+    return run(mesh, step, progress);
+}
+
+detail::StepResult join_file(const Mesh& mesh, const RepairStep& step, const MeshReading& reading,
+                             const Progress& progress) {
+    const LoadedMesh other = load_mesh(step.file, reading, progress.part(0, 0.2));
+    return detail::join_scans(mesh, *other.mesh, step, progress.part(0.2, 1));
+}
 
 struct KindOfStep {
     Step run;
@@ -20,15 +35,16 @@ struct KindOfStep {
 };
 
 const KindOfStep& kind_of_step(Kind kind) {
-    static constexpr KindOfStep all[] = {{detail::remove_pieces, "Removing small pieces"},
-                                         {detail::turn_facets, "Turning facets"},
-                                         {detail::remove_needles, "Removing needles"},
-                                         {detail::fill_holes, "Filling holes"},
-                                         {detail::smooth_noise, "Smoothing"},
-                                         {detail::decimate, "Decimating"},
-                                         {detail::cut_by_plane, "Cutting"},
-                                         {detail::thicken_sheet, "Thickening"},
-                                         {detail::remake_crossings, "Looking for crossings"}};
+    static constexpr KindOfStep all[] = {{alone<detail::remove_pieces>, "Removing small pieces"},
+                                         {alone<detail::turn_facets>, "Turning facets"},
+                                         {alone<detail::remove_needles>, "Removing needles"},
+                                         {alone<detail::fill_holes>, "Filling holes"},
+                                         {alone<detail::smooth_noise>, "Smoothing"},
+                                         {alone<detail::decimate>, "Decimating"},
+                                         {alone<detail::cut_by_plane>, "Cutting"},
+                                         {alone<detail::thicken_sheet>, "Thickening"},
+                                         {alone<detail::remake_crossings>, "Looking for crossings"},
+                                         {join_file, "Joining scans"}};
     return all[std::size_t(kind)];
 }
 
@@ -40,7 +56,8 @@ std::size_t StepReport::count(const std::string& what) const {
     return 0;
 }
 
-Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress) {
+Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress,
+                    const MeshReading& reading) {
     check_recipe(recipe, repair_list.key);
     Repaired result;
     result.mesh = mesh;
@@ -49,8 +66,8 @@ Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, 
         if (step.off) continue;
         const KindOfStep& kind = kind_of_step(step.kind);
         const double n = double(recipe.size());
-        detail::StepResult done =
-            kind.run(*result.mesh, step, progress.part(double(i) / n, double(i + 1) / n, kind.label));
+        detail::StepResult done = kind.run(*result.mesh, step, reading,
+                                           progress.part(double(i) / n, double(i + 1) / n, kind.label));
         if (done.mesh && done.mesh->facets.empty())
             throw Error(ErrorCode::empty_result, strict::element(repair_list.key, i),
                         "the step " + repair_kind_name(step.kind) + " leaves no facet",

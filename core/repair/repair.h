@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/mesh_reading.h"
 #include "core/repair/recipe.h"
 
 #include <string>
@@ -26,6 +27,7 @@ struct StepReport {
     RepairStep::Kind kind = RepairStep::Kind::turn;
     /// mm; no place of the surface lies farther from where it was, both ways. Surface that was taken away
     /// (pieces, doubles, what is cut off) or is new (in holes, in a section, backs) is not in it.
+    /// Of a joined scan: how far it was moved and how far what went of it lies from what stayed.
     double displacement = 0;
     std::vector<RepairCount> counts;
     std::size_t facets = 0; ///< of the mesh after the step
@@ -40,9 +42,11 @@ struct Repaired {
 };
 
 /// New vertices lie where a 32-bit float can say it, so that a binary STL file in mm holds the very mesh that
-/// was judged. The mesh must have no facet that names a vertex twice (load_mesh leaves these out). Throws
+/// was judged. The mesh must have no facet that names a vertex twice (load_mesh leaves these out). `reading`:
+/// how the files of scans that are joined on are read; their places are those of located_recipe. Throws
 /// Error(out_of_range, missing_key) as check_recipe does, Error(empty_result) when a step leaves no facet,
-/// Error(limit_exceeded), Cancelled. The same bits with any number of threads.
-Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress);
+/// Error(limit_exceeded), what load_mesh throws, Cancelled. The same bits with any number of threads.
+Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress,
+                    const MeshReading& reading = {});
 
 } // namespace facetmill

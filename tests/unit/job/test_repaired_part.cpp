@@ -1,6 +1,7 @@
 // A recipe in a project: read and written, carried out when the part is read, and again when file or recipe
 // change.
 #include "core/job/planner.h"
+#include "core/job/project_inputs.h"
 #include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/support/dirty_scan.h"
@@ -10,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <fstream>
 
 using namespace facetmill;
@@ -52,7 +54,36 @@ private slots:
         std::ofstream(files.at("again.facetmill")) << project_to_json(project);
         const Project again = load_project(files.at("again.facetmill"));
         QVERIFY(again.part.repair == project.part.repair);
+        // A step says what it reads, and nothing else.
+        const std::string text = project_to_json(files.project(R"([{"kind": "turn"}])"));
+        const std::size_t at = text.find("\"repair\"");
+        QVERIFY(at != std::string::npos);
+        const std::string list = text.substr(at, text.find(']', at) - at);
+        QCOMPARE(std::count(list.begin(), list.end(), ':'), std::ptrdiff_t(2));
         QVERIFY(project_to_json(files.project("[]")).find("repair") == std::string::npos);
+    }
+
+    void a_joined_scan_is_a_file_of_the_project() {
+        const ScanProject files(5);
+        const char* const join = R"([{"kind": "join", "file": "more.stl", "size": 1}])";
+        const Project project = files.project(join);
+        const auto inputs = project_inputs(project);
+        QCOMPARE(inputs.size(), std::size_t(2));
+        QCOMPARE(input_key(inputs[1]), std::string("part.repair[0].file"));
+        QVERIFY(inputs[1].path == files.at("more.stl"));
+        Planner planner;
+        QCOMPARE(code_of([&] { planner.prepare(project, {}); }), std::string("not_found"));
+        save_stl(dirty_scan(30, 0, 0, 0, 1).mesh, files.at("more.stl"), LengthUnit::mm, {});
+        const auto part = planner.prepare(project, {});
+        QCOMPARE(part->repairs.size(), std::size_t(1));
+        QVERIFY(part->repairs[0].count("facets_overlapping") > 1000);
+        QCOMPARE(code_of([&] { keep_inputs(project, files.at("more.stl")); }), std::string("unwritable"));
+        // Another scan in its place is another part.
+        Mesh beside = dirty_scan(5, 0, 0, 0, 1).mesh;
+        for (Vec3& p : beside.vertices)
+            p.x() += 300;
+        save_stl(beside, files.at("more.stl"), LengthUnit::mm, {});
+        QVERIFY(planner.prepare(project, {})->box.hi.x() > 300);
     }
 
     void the_part_is_the_repaired_one() {
