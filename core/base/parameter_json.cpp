@@ -153,6 +153,7 @@ Json write_value(const ParameterValue& value, const ParameterInfo& info, const s
         Json object = Json::object();
         for (std::size_t k = 0; k < info.record.size(); ++k) {
             const ParameterInfo& field = *info.record[k];
+            if (field.default_unwritten && record.at(k) == field.default_value) continue;
             object[field.key] = write_value(record.at(k), field, member(here, field.key), unit);
         }
         list.push_back(std::move(object));
