@@ -247,9 +247,19 @@ bool Decimator::place_points(Vertex u, Vertex v) {
 /// The new vertex, and the middles of the edges that it gets, lie within the bound of the source.
 bool Decimator::stays_near(const Vec3& to) const {
     if (!surface_.is_within(to, bound2_)) return false;
+    // Most vertices around stand in two facets: behind the new one in one, before it in the other.
+    const auto stands_behind = [&](const Vec3& p) {
+        return std::any_of(corners_.begin(), corners_.end(), [&](const auto& c) {
+            return (c[0] == to && c[1] == p) || (c[1] == to && c[2] == p) || (c[2] == to && c[0] == p);
+        });
+    };
     for (const auto& c : corners_)
-        for (const Vec3& p : c)
-            if (p != to && !surface_.is_within(0.5 * (p + to), bound2_)) return false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& p = c[k];
+            const bool behind = c[(k + 2) % 3] == to;
+            if (p == to || (!behind && stands_behind(p))) continue;
+            if (!surface_.is_within(0.5 * (p + to), bound2_)) return false;
+        }
     return true;
 }
 

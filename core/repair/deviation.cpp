@@ -49,8 +49,11 @@ bool same_corners(const Mesh& a, std::size_t f, const Mesh& b, std::size_t g) {
 DeviationIndex::DeviationIndex(const Mesh& mesh, const Progress& progress, double reach)
     : mesh_(mesh), reach2_(reach * reach), tree_(facet_boxes(mesh), progress) {
     double sum = 0;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f)
+    normals_.reserve(mesh.facet_count());
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
         sum += (mesh.corner(f, 1) - mesh.corner(f, 0)).norm();
+        normals_.push_back(mesh.facet_normal(f));
+    }
     grain_ = sum / double(std::max<std::size_t>(mesh.facet_count(), 1));
 }
 
@@ -103,10 +106,9 @@ double DeviationIndex::bend(const std::array<Place, 3>& corners, double longest)
     if (!(length > 0)) return longest;
     double sine2 = 0;
     for (const Place& corner : corners) {
-        const Vec3 n = mesh_.facet_cross(corner.facet);
-        const double both = n.norm() * length;
-        if (!(both > 0) || n.dot(cross) <= 0.5 * both) return longest;
-        sine2 = std::max(sine2, n.cross(cross).squaredNorm() / (both * both));
+        const Vec3& n = normals_[corner.facet];
+        if (n.dot(cross) <= 0.5 * length) return longest;
+        sine2 = std::max(sine2, n.cross(cross).squaredNorm() / (length * length));
     }
     // No place of a triangle is farther than this share of its longest side from its nearest corner.
     constexpr double reach = 0.58;

@@ -42,6 +42,7 @@ private:
 
     const Mesh& mesh_;
     double reach2_;
+    std::vector<Vec3> normals_; ///< per facet, unit; zero: it has none
     BoxTree tree_;
     double grain_ = 0; ///< mm: mean length of edges
 };
