@@ -144,6 +144,11 @@ std::vector<RepairStep> recipe_of(const Arguments& arguments, double per) {
         if (option == "--decimate") recipe.push_back(bound_step(Kind::decimate, option, text, per));
         if (option == "--cut") recipe.push_back(cut_step(text, per));
         if (option == "--crossings") recipe.push_back(fill_step(Kind::crossings, option, text, per));
+        if (option == "--fins") {
+            RepairStep step{.kind = Kind::fins};
+            step.size = per * read_number(option, text, "write a size, as in 5");
+            recipe.push_back(step);
+        }
         if (option == "--join") recipe.push_back(join_step(text, per));
         if (option == "--thicken") {
             RepairStep step{.kind = Kind::thicken};
@@ -315,6 +320,11 @@ Command repair_command() {
              {.name = "--crossings",
               .value = "SIZE[:flat]",
               .help = "makes places of at most this size anew where the surface runs through itself",
+              .repeated = true},
+             {.name = "--fins",
+              .value = "SIZE",
+              .help = "removes sheets up to this size that hang on edges of more than two facets and end in "
+                      "the open",
               .repeated = true},
              {.name = "--join",
               .value = "FILE[:APART[:MOVE]]",

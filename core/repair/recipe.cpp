@@ -40,11 +40,12 @@ ParameterInfo step_count(const char* key, const char* label, const char* help) {
 }
 
 void add_amounts(ParameterTable<RepairStep>& t) {
-    t.add(&RepairStep::size, step_length("size", "Size",
-                                         "pieces: those whose box has a smaller diagonal go. holes: those of "
-                                         "at most this diameter are filled, 0: all. crossings: as holes. "
-                                         "join: how far two scans of one surface may lie apart, 0: three "
-                                         "mean edges."));
+    t.add(&RepairStep::size,
+          step_length("size", "Size",
+                      "pieces: those whose box has a smaller diagonal go. holes: those of "
+                      "at most this diameter are filled, 0: all. crossings: as holes. fins: as pieces. "
+                      "join: how far two scans of one surface may lie apart, 0: three "
+                      "mean edges."));
     t.add(&RepairStep::facets,
           step_count("facets", "Facets",
                      "pieces: those with fewer facets go. decimate: ends when so few are left."));
@@ -160,6 +161,9 @@ void check_step(RepairStep step, const std::string& place) {
     case Kind::crossings:
         need(step.size > 0, "size", "say how large a place may be made anew");
         break;
+    case Kind::fins:
+        need(step.size > 0, "size", "say how large a sheet may be that goes");
+        break;
     case Kind::join:
         need(!step.file.empty(), "file", "name the other scan's file");
         break;
@@ -174,16 +178,18 @@ void check_step(RepairStep step, const std::string& place) {
 const ParameterTable<RepairStep>& repair_step_parameters() {
     static const auto table = [] {
         ParameterTable<RepairStep> t;
-        t.add_choice(&RepairStep::kind, {.key = "kind",
-                                         .label = "Kind",
-                                         .help = "What the step does: takes small pieces away, turns facets "
-                                                 "to agree, takes needles away, fills holes, smooths noise, "
-                                                 "decimates, cuts by a plane, thickens a sheet, makes anew "
-                                                 "where the surface crosses itself, joins another scan on.",
-                                         .words = {"pieces", "turn", "needles", "holes", "smooth", "decimate",
-                                                   "cut", "thicken", "crossings", "join"},
-                                         .stage = Stage::mesh,
-                                         .required = "say what the step does"});
+        t.add_choice(&RepairStep::kind,
+                     {.key = "kind",
+                      .label = "Kind",
+                      .help = "What the step does: takes small pieces away, turns facets "
+                              "to agree, takes needles away, fills holes, smooths noise, "
+                              "decimates, cuts by a plane, thickens a sheet, makes anew "
+                              "where the surface crosses itself, joins another scan on, takes sheets "
+                              "away that hang on the surface and end in the open.",
+                      .words = {"pieces", "turn", "needles", "holes", "smooth", "decimate", "cut", "thicken",
+                                "crossings", "join", "fins"},
+                      .stage = Stage::mesh,
+                      .required = "say what the step does"});
         add_amounts(t);
         add_shapes(t);
         t.add(&RepairStep::off, {.key = "off",
@@ -211,7 +217,8 @@ const std::vector<std::string>& repair_keys(Kind kind) {
                                                        {"normal", "offset", "close"},
                                                        {"thickness"},
                                                        {"size", "fill"},
-                                                       {"file", "size", "bound"}};
+                                                       {"file", "size", "bound"},
+                                                       {"size"}};
     return of_kind[std::size_t(kind)];
 }
 

@@ -24,11 +24,12 @@ struct RepairStep {
         thicken,   ///< a sheet becomes a solid
         crossings, ///< where the surface runs through itself it is made anew
         join,      ///< another scan goes on where this one ends
+        fins,      ///< sheets that hang on the surface and end in the open are taken away
     };
     enum class Fill { smooth, flat };
     Kind kind = Kind::turn;
-    double size = 0;          ///< pieces: diagonal of the box; holes, crossings: diameter; join: scans lie no
-                              ///< farther apart
+    double size = 0; ///< pieces: diagonal of the box; holes, crossings: diameter; fins: as pieces; join:
+                     ///< scans lie no farther apart
     long facets = 0;          ///< pieces: with fewer; decimate: as many stay
     double area = 0;          ///< pieces: with less
     long keep = 0;            ///< pieces: so many with the largest areas stay

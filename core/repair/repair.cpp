@@ -44,7 +44,8 @@ const KindOfStep& kind_of_step(Kind kind) {
                                          {alone<detail::cut_by_plane>, "Cutting"},
                                          {alone<detail::thicken_sheet>, "Thickening"},
                                          {alone<detail::remake_crossings>, "Looking for crossings"},
-                                         {join_file, "Joining scans"}};
+                                         {join_file, "Joining scans"},
+                                         {alone<detail::remove_fins>, "Removing fins"}};
     return all[std::size_t(kind)];
 }
 

@@ -37,7 +37,7 @@ struct StepReport {
 };
 
 struct Repaired {
-    MeshPtr mesh; ///< the one that came in where no step changed it
+    MeshPtr mesh;                  ///< the one that came in where no step changed it
     std::vector<StepReport> steps; ///< of those that are not off
 };
 

@@ -22,6 +22,7 @@ struct StepResult {
 };
 
 StepResult remove_pieces(const Mesh& mesh, const RepairStep& step, const Progress& progress);
+StepResult remove_fins(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult turn_facets(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult remove_needles(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult fill_holes(const Mesh& mesh, const RepairStep& step, const Progress& progress);

@@ -34,7 +34,7 @@ private slots:
     void a_step_says_what_it_needs() {
         std::string message;
         for (const Kind kind : {Kind::pieces, Kind::needles, Kind::smooth, Kind::decimate, Kind::thicken,
-                                Kind::join, Kind::crossings})
+                                Kind::join, Kind::fins, Kind::crossings})
             QCOMPARE(refusal({.kind = kind}, &message), std::string("missing_key"));
         QVERIFY(message.find("part.repair[0].size") != std::string::npos);
         for (const Kind kind : {Kind::turn, Kind::holes, Kind::cut})
@@ -56,7 +56,7 @@ private slots:
     }
 
     void every_kind_has_keys_that_there_are() {
-        for (int k = 0; k <= int(Kind::join); ++k)
+        for (int k = 0; k <= int(Kind::fins); ++k)
             for (const std::string& key : repair_keys(Kind(k)))
                 QVERIFY(repair_step_parameters().find(key) != nullptr);
     }

@@ -229,6 +229,32 @@ private slots:
         }
     }
 
+    void fins_go_and_the_surface_stays() {
+        const Mesh ball = ringed_sphere(12, 10);
+        Mesh mesh = ball;
+        // Two facets that hang on an edge, a third on the tip of one of them; and one that hangs at both
+        // ends.
+        const Facet at = ball.facets[40], other = ball.facets[200];
+        const Index tip = Index(mesh.vertices.size());
+        mesh.vertices.push_back(1.3 * ball.vertices[at[0]]);
+        mesh.vertices.push_back(1.4 * ball.vertices[at[1]]);
+        mesh.facets.insert(mesh.facets.begin() + 7, {at[0], at[1], tip});
+        mesh.facets.push_back({tip, at[1], tip + 1});
+        mesh.facets.push_back({other[2], other[0], at[0]});
+        RepairStep step{.kind = Kind::fins};
+        step.size = 0.1;
+        QVERIFY(same_mesh(*repaired(mesh, {step}).mesh, mesh)); // they are larger
+        step.size = 30;
+        const Repaired r = repaired(mesh, {step});
+        QCOMPARE(r.steps[0].count("facets_removed"), std::size_t(3));
+        QVERIFY(same_mesh(*r.mesh, ball));
+        QVERIFY(same_mesh(*repaired(ball, {step}).mesh, ball));
+        // A sheet that ends in the open and hangs on nothing is no fin.
+        const Mesh sheet =
+            grid_mesh(3, 3, false, false, 0.2, [](double a, double b) { return Vec3(a, b, 0); });
+        QVERIFY(same_mesh(*repaired(sheet, {step}).mesh, sheet));
+    }
+
     void spheres_that_cross_are_found() {
         Mesh mesh = ringed_sphere(12, 10);
         QVERIFY(crossing_facets(mesh, {}).empty());
