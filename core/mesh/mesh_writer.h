@@ -27,7 +27,8 @@ using VertexColor = std::array<std::uint8_t, 3>;
 /// What is written beside the mesh. Spans must outlive the call; each is empty or has one for every vertex of
 /// the mesh.
 struct MeshWriting {
-    LengthUnit unit = LengthUnit::mm;     ///< of the file's numbers; 3MF states it, STL and PLY in a remark
+    LengthUnit unit = LengthUnit::mm;     ///< of the file's numbers; 3MF states it (inches for feet), STL and
+                                          ///< PLY say it in a remark
     std::string name;                     ///< of the object (3MF)
     std::string value_name = "deviation"; ///< of the property that holds the values (PLY): letters and '_'
     std::span<const float> values;        ///< mm, written in `unit`; PLY only

@@ -14,16 +14,20 @@ namespace {
 
 constexpr std::size_t lines_per_check = 16384;
 
+/// Feet are written as inches: not every reader takes them.
+LengthUnit written_unit(LengthUnit unit) {
+    return unit == LengthUnit::ft ? LengthUnit::inch : unit;
+}
+
 std::string_view unit_word(LengthUnit unit) {
     switch (unit) {
     case LengthUnit::inch:
+    case LengthUnit::ft:
         return "inch";
     case LengthUnit::cm:
         return "centimeter";
     case LengthUnit::m:
         return "meter";
-    case LengthUnit::ft:
-        return "foot";
     case LengthUnit::mm:
         break;
     }
@@ -118,7 +122,7 @@ private:
         add("</m:colorgroup>\n");
     }
     void add_vertices() {
-        const double mm = mm_per(writing_.unit);
+        const double mm = mm_per(written_unit(writing_.unit));
         for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
             if (v % lines_per_check == 0) progress_.set(0.5 * double(v) / double(mesh_.vertices.size()));
             const Vec3 p = mesh_.vertices[v] / mm;
