@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         for (const char* command : {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render",
-                                    "pack", "unpack", "tools", "reference"}) {
+                                    "export", "pack", "unpack", "tools", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);
