@@ -19,7 +19,7 @@ using InputKind = ProjectInput::Kind;
 namespace {
 
 bool is_mesh(InputKind kind) {
-    return kind == InputKind::part || kind == InputKind::stock;
+    return kind != InputKind::machine && kind != InputKind::post;
 }
 
 QString file_name(const ProjectInput& input) {
