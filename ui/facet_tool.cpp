@@ -44,6 +44,14 @@ void FacetTool::take(const std::vector<Index>& facets) {
     emit painted(changed, in_);
 }
 
+double FacetTool::mm_per_point(const QPointF& at) const {
+    const Scene& scene = viewport_.scene();
+    const double ratio = viewport_.devicePixelRatioF();
+    if (!scene.camera().perspective()) return scene.camera().pixel_size() * ratio;
+    const auto pick = scene.part().pick(at.x() * ratio, at.y() * ratio);
+    return ratio * (pick ? scene.camera().pixel_size(pick->point) : scene.camera().pixel_size());
+}
+
 bool FacetTool::touch(const QPointF& at) {
     const QPointF p = at * viewport_.devicePixelRatioF();
     const auto pick = viewport_.scene().part().pick(p.x(), p.y());
@@ -68,7 +76,7 @@ bool FacetTool::press(const QPointF& at, Qt::KeyboardModifiers keys) {
 
 void FacetTool::drag(const QPointF& at, Qt::KeyboardModifiers) {
     if (busy() || settings_.shape != PaintSettings::Shape::brush) return;
-    const double mm = viewport_.scene().camera().pixel_size() * viewport_.devicePixelRatioF();
+    const double mm = mm_per_point(at);
     const double step = std::max(min_step, mm > 0 ? brush_step * settings_.radius / mm : 0);
     const QPointF travel = at - last_;
     const double length = std::hypot(travel.x(), travel.y());
@@ -117,7 +125,7 @@ void FacetTool::paint(QPainter& painter, const QPointF& pointer) {
         painter.setPen(QPen(color, width));
         painter.setBrush(Qt::NoBrush);
         if (corner_) painter.drawRect(QRectF(*corner_, pointer).normalized());
-        const double mm = viewport_.scene().camera().pixel_size() * viewport_.devicePixelRatioF();
+        const double mm = mm_per_point(pointer);
         if (settings_.shape == PaintSettings::Shape::brush && mm > 0)
             painter.drawEllipse(pointer, settings_.radius / mm, settings_.radius / mm);
     }

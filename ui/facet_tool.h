@@ -54,6 +54,7 @@ signals:
 private:
     /// Paints under a place of the widget; false where the part is not.
     bool touch(const QPointF& at);
+    double mm_per_point(const QPointF& at) const; ///< where the pointer is on the part
     void take(const std::vector<Index>& facets);
     void take_box(const QRectF& box);
     void end_stroke();

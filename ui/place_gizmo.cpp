@@ -67,8 +67,12 @@ void PlaceGizmo::cancel() {
 
 double PlaceGizmo::radius() const {
     const double side = std::min(viewport_.width(), viewport_.height()) * viewport_.devicePixelRatioF();
-    const double in_view = view_share * side * viewport_.scene().camera().pixel_size();
+    const double in_view = view_share * side * viewport_.scene().camera().pixel_size(box_.center());
     return std::min(box_share * box_.diagonal(), in_view);
+}
+
+Vec3 PlaceGizmo::toward_eye() const {
+    return -viewport_.scene().camera().sight_to(box_.center()).direction;
 }
 
 QPointF PlaceGizmo::pixel(const Vec3& p) const {
@@ -94,7 +98,7 @@ QPolygonF PlaceGizmo::line_of(const Handle& handle, bool behind) const {
                  << pixel(box_.center() + arrow_reach * radius() * Vec3::Unit(handle.axis));
         return line;
     }
-    const Vec3 toward = viewport_.scene().camera().toward_eye();
+    const Vec3 toward = toward_eye();
     // From where it comes to the front, so that either half is one line.
     const auto [u, v] = across(handle.axis);
     const double front = std::atan2(toward.dot(v), toward.dot(u));
@@ -106,12 +110,12 @@ QPolygonF PlaceGizmo::line_of(const Handle& handle, bool behind) const {
 
 bool PlaceGizmo::seen(const Handle& handle) const {
     if (handle.what == PlaceChange::turn) return true;
-    const double along = viewport_.scene().camera().toward_eye()[handle.axis];
+    const double along = toward_eye()[handle.axis];
     return std::sqrt(std::max(0.0, 1 - along * along)) > dot_share;
 }
 
 std::optional<PlaceGizmo::Handle> PlaceGizmo::handle_at(const QPointF& at) const {
-    if (box_.empty() || viewport_.scene().camera().pixel_size() <= 0) return std::nullopt;
+    if (box_.empty() || viewport_.scene().camera().pixel_size(box_.center()) <= 0) return std::nullopt;
     std::optional<Handle> found;
     double least = pick_slack;
     // Arrows first, and of the rings what is in front.
@@ -140,8 +144,14 @@ bool PlaceGizmo::press(const QPointF& at, Qt::KeyboardModifiers) {
 double PlaceGizmo::value_at(const QPointF& at) const {
     const SceneCamera& camera = viewport_.scene().camera();
     const double ratio = viewport_.devicePixelRatioF();
-    const Vec3 axis = Vec3::Unit(held_->axis), toward = camera.toward_eye();
-    const auto place = [&](const QPointF& p) { return camera.point_at(p.x() * ratio, p.y() * ratio); };
+    const Vec3 axis = Vec3::Unit(held_->axis), toward = toward_eye();
+    const auto sight = [&](const QPointF& p) { return camera.sight_at(p.x() * ratio, p.y() * ratio); };
+    // In the plane across the line of sight through the middle.
+    const auto place = [&](const QPointF& p) {
+        const SightLine line = sight(p);
+        const double slope = line.direction.dot(toward);
+        return Vec3(line.at + (box_.center() - line.at).dot(toward) / slope * line.direction);
+    };
     if (held_->what == PlaceChange::move) {
         // As far as the arrow's shadow on the screen goes with the pointer.
         const Vec3 flat = axis - axis.dot(toward) * toward;
@@ -153,8 +163,10 @@ double PlaceGizmo::value_at(const QPointF& at) const {
         const Vec3 side = axis.cross(toward).normalized();
         return (place(at) - place(press_)).dot(side) / radius();
     }
-    const Vec3 p = place(at);
-    const Vec3 hit = p + (box_.center() - p).dot(axis) / facing * toward - box_.center();
+    const SightLine line = sight(at);
+    const double onto = line.direction.dot(axis);
+    if (std::abs(onto) < 1e-9) return last_angle_;
+    const Vec3 hit = line.at + (box_.center() - line.at).dot(axis) / onto * line.direction - box_.center();
     const auto [u, v] = across(held_->axis);
     return std::atan2(hit.dot(v), hit.dot(u));
 }
@@ -204,7 +216,7 @@ void PlaceGizmo::paint(QPainter& painter, const QPointF& pointer) {
                 const Rgb& c = colors.axes[std::size_t(axis)];
                 QColor color = QColor::fromRgbF(float(c.r), float(c.g), float(c.b));
                 // Seen from its axis all of a ring is in front.
-                const double facing = viewport_.scene().camera().toward_eye()[axis];
+                const double facing = toward_eye()[axis];
                 if (behind && std::abs(facing) < facing_all) color.setAlphaF(0.3F);
                 const bool lit = hot && handle == *hot;
                 painter.setPen(QPen(color, lit ? 4 : 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -215,7 +227,8 @@ void PlaceGizmo::paint(QPainter& painter, const QPointF& pointer) {
                 const double length = std::hypot(along.x(), along.y());
                 if (length < 1) continue;
                 const double size =
-                    radius() / (viewport_.scene().camera().pixel_size() * viewport_.devicePixelRatioF());
+                    radius()
+                    / (viewport_.scene().camera().pixel_size(box_.center()) * viewport_.devicePixelRatioF());
                 const QPointF back = along / length * (head_length * size),
                               side = QPointF(-along.y(), along.x()) / length * (head_width * size);
                 painter.setBrush(color);

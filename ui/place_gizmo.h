@@ -50,6 +50,7 @@ private:
         bool operator==(const Handle&) const = default;
     };
     double radius() const;
+    Vec3 toward_eye() const; ///< from the middle
     Vec3 ring_place(int axis, double angle) const;
     QPointF pixel(const Vec3& p) const;
     /// What is seen of a ring in front or behind; an arrow, which is in front.

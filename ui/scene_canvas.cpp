@@ -11,6 +11,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace facetmill::ui {
@@ -26,6 +27,8 @@ constexpr double slow_frame_ms = 40.0;
 /// Coarseness 1 is the scene's preview without smoothing; 2 has half the pixels a side besides, 3 a third.
 constexpr int coarsest = 3;
 constexpr double dear_frame_ms = 16.0, cheap_frame_ms = 5.0;
+/// Lines are wider in a view that is higher: on a large screen that is not enlarged they would be hairs.
+constexpr double ordinary_height = 1000, widest = 2;
 constexpr int rest_after_ms = 250;
 /// The same where what is shown is right but for trifles: until then more may be painted.
 constexpr int kept_rest_ms = 1500;
@@ -96,6 +99,7 @@ void SceneCanvas::paint_gl() {
     dirty_ = false;
     w->SetSize(size.width(), size.height());
     scene_.set_pixel_ratio(ratio);
+    scene_.set_line_scale(std::clamp(height() / ordinary_height, 1.0, widest));
     if (fitted_ && resized) scene_.fit();
     coarse_ = !std::exchange(whole_, false) && slow();
     // New content goes to the graphics card in its first picture, which says nothing about the later ones. It

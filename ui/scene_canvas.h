@@ -56,6 +56,7 @@ protected:
     virtual Hand hand() const { return Hand::free; }
     /// Nothing was moved or zoomed since the last fit: the picture keeps fitting the window.
     void set_fitted(bool fitted) { fitted_ = fitted; }
+    bool is_fitted() const { return fitted_; }
     /// OpenGL is there to draw and to pick with.
     bool ready() const;
 

@@ -94,6 +94,14 @@ void set_navigation(const Navigation& navigation) {
                navigation.orbit == Orbit::trackball ? QLatin1String(trackball) : QLatin1String("turntable"));
 }
 
+bool perspective() {
+    return QSettings().value(QStringLiteral("perspective"), false).toBool();
+}
+
+void set_perspective(bool on) {
+    QSettings().setValue(QStringLiteral("perspective"), on);
+}
+
 std::chrono::seconds autosave_interval() {
     const std::chrono::seconds kept{
         QSettings().value(QStringLiteral("autosave_seconds"), usual_autosave).toInt()};

@@ -35,6 +35,8 @@ void set_usual_project(const UsualProject& usual);
 
 Navigation navigation();
 void set_navigation(const Navigation& navigation);
+bool perspective();
+void set_perspective(bool on);
 
 /// Between the times at which unsaved work is kept; 30 s at first.
 std::chrono::seconds autosave_interval();

@@ -1,11 +1,13 @@
 #include "ui/viewport.h"
 
+#include "ui/cube_place.h"
 #include "ui/view_cube.h"
 
 #include <QPainter>
 
 #include <vtkCamera.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill::ui {
@@ -22,14 +24,15 @@ Vec3 vec(const double* v) {
 
 /// How far a place that is held goes to stay on a line of sight: in its level plane, or upright. Where that
 /// plane is seen from the side it goes in the upright plane that faces the eye.
-Vec3 travel_of(const Vec3& held, const Vec3& sight, const Vec3& from, bool upright) {
+Vec3 travel_of(const Vec3& held, const SightLine& line, bool upright) {
     constexpr double level_seen = 0.25; // a quarter of a circle's width
+    const Vec3& sight = line.direction;
     const bool level = !upright && std::abs(sight.z()) > level_seen;
     const Vec3 facing(sight.x(), sight.y(), 0);
     const Vec3 n = level ? Vec3(Vec3::UnitZ()) : facing;
     const double along = sight.dot(n);
     if (!(std::abs(along) > 1e-6)) return Vec3::Zero(); // straight from above nothing can be raised
-    const Vec3 by = from + (held - from).dot(n) / along * sight - held;
+    const Vec3 by = line.at + (held - line.at).dot(n) / along * sight - held;
     return upright ? Vec3(0, 0, by.z()) : by;
 }
 
@@ -40,6 +43,7 @@ Viewport::Viewport(QWidget* parent) : SceneCanvas(parent) {
     setMouseTracking(true);
     setMinimumSize(160, 120);
     cube_ = new ViewCube(this);
+    cube_place_ = new CubePlace(*this, *cube_);
     connect(cube_, &ViewCube::chosen, this, &Viewport::set_view);
     connect(cube_, &ViewCube::rolled, this, &Viewport::roll);
     connect(this, &Viewport::camera_changed, cube_, [this] { cube_->set_orientation(sight(), up()); });
@@ -57,7 +61,7 @@ SceneCanvas::Hand Viewport::hand() const {
 }
 
 void Viewport::content_changed() {
-    place_overlays(); // what stood in the way may be gone
+    cube_place_->update(); // what stood in the way may be gone
     SceneCanvas::content_changed();
 }
 
@@ -90,22 +94,8 @@ Vec3 Viewport::up() const {
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-    place_overlays();
+    cube_place_->update();
     SceneCanvas::resizeEvent(event);
-}
-
-void Viewport::place_overlays() {
-    // Lower right, above the scale bar: the legend stands above, the axes on the left.
-    const int margin = 8, scale_bar = 52;
-    cube_->move(width() - cube_->width() - margin, height() - cube_->height() - scale_bar);
-    bool free = width() > 260 && height() > 200;
-    for (const QWidget* other : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
-        if (other != cube_ && !other->isHidden() && !other->testAttribute(Qt::WA_TransparentForMouseEvents)
-            && other->geometry().intersects(cube_->geometry()))
-            free = false;
-    cube_->setVisible(free);
-    const QRectF covered = free ? QRectF(cube_->geometry()) : QRectF();
-    scene().strips().set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
 }
 
 void Viewport::turn(const QPointF& by) {
@@ -164,7 +154,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
     drag_.begin(drag_of(*event), event->position());
     const bool takes =
         event->button() == Qt::LeftButton && (drag_.kind() == Drag::turn || drag_.kind() == Drag::hold);
-    if (!(takes && take_hold(drag_.press())) && drag_.kind() == Drag::turn) choose_pivot(drag_.press());
+    if (!(takes && take_hold(drag_.press()))) choose_pivot(drag_.press());
 }
 
 bool Viewport::take_hold(const QPointF& at) {
@@ -182,8 +172,22 @@ bool Viewport::take_hold(const QPointF& at) {
     return false;
 }
 
+/// What is under the pointer is to stay there: in perspective that depends on how far away it is.
+void Viewport::focus_under(const QPointF& at) {
+    if (!scene().camera().perspective()) return;
+    const QPointF p = device(at);
+    if (const auto pick = scene().part().pick(p.x(), p.y())) scene().camera().focus_at(pick->point);
+}
+
+void Viewport::set_perspective(bool on) {
+    scene().camera().set_perspective(on);
+    is_fitted() ? fit() : camera_moved();
+}
+
 /// What is under the pointer stays there; off the part it turns about the middle of what is shown.
 void Viewport::choose_pivot(const QPointF& at) {
+    if (drag_.kind() == Drag::move) return focus_under(at);
+    if (drag_.kind() != Drag::turn) return;
     const Box3 bounds = scene().bounds();
     pivot_ = bounds.empty() ? Vec3(Vec3::Zero()) : bounds.center();
     const QPointF p = device(at);
@@ -235,11 +239,13 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         }
         break;
     }
-    case Drag::fixture:
-        held_by_ = travel_of(held_.point, sight(), point_under(event->position()),
+    case Drag::fixture: {
+        const QPointF over = device(event->position());
+        held_by_ = travel_of(held_.point, scene().camera().sight_at(over.x(), over.y()),
                              event->modifiers() & Qt::ControlModifier);
         emit fixture_dragged(held_.index, held_by_);
         break;
+    }
     case Drag::tool:
     case Drag::gizmo:
     case Drag::hold:
@@ -250,13 +256,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void Viewport::zoom_at(const QPointF& at, double factor) {
     const QPointF p = device(at);
+    focus_under(at);
     scene().camera().zoom_at(p.x(), p.y(), factor);
     camera_moved();
-}
-
-Vec3 Viewport::point_under(const QPointF& at) const {
-    const QPointF p = device(at);
-    return scene().camera().point_at(p.x(), p.y());
 }
 
 std::optional<Vec3> Viewport::handle_at(const QPointF& at) const {

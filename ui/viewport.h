@@ -10,6 +10,7 @@
 
 namespace facetmill::ui {
 
+class CubePlace;
 class ViewCube;
 
 class Viewport : public SceneCanvas {
@@ -30,6 +31,8 @@ public:
     Vec3 sight() const;
     Vec3 up() const;
     ViewCube* view_cube() { return cube_; }
+    /// What is nearer is larger, or not.
+    void set_perspective(bool on);
     void set_navigation(const Navigation& navigation) { navigation_ = navigation; }
     /// While a point is picked every click asks the part alone, by point_picked; the pointer is a cross.
     void set_picking(bool on);
@@ -78,20 +81,20 @@ private:
     Drag drag_of(const QMouseEvent& press) const;
     /// Begins with what a press of the left button takes hold of; false: nothing is there.
     bool take_hold(const QPointF& at);
+    /// A drag of the view begins here.
     void choose_pivot(const QPointF& at);
-    void place_overlays();
     void turn(const QPointF& by);
     void move(const QPointF& by);
     void click(const QPointF& at, Qt::KeyboardModifiers modifiers);
     void zoom_at(const QPointF& at, double factor);
     void hover(const QPointF& at);
     std::optional<Vec3> handle_at(const QPointF& at) const;
-    /// In the camera's plane.
-    Vec3 point_under(const QPointF& at) const;
+    void focus_under(const QPointF& at);
     std::optional<SceneFixtures::Pick> fixture_at(const QPointF& at) const;
     QPointF device(const QPointF& at) const { return at * devicePixelRatioF(); }
 
     ViewCube* cube_ = nullptr;
+    CubePlace* cube_place_ = nullptr;
     Navigation navigation_;
     PointerDrag<Drag> drag_{click_slack};
     PointerRest rest_{[this](const QPointF& at) { hover(at); }};

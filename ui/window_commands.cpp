@@ -214,6 +214,17 @@ void add_view_commands(Commands& commands, MainWindow& w) {
                       {QKeySequence(Qt::Key_0 + digit++)},
                       [&, view] { viewport.set_view(view); },
                       has_part});
+    commands.add({"perspective",
+                  tr("Pe&rspective"),
+                  {},
+                  {QKeySequence(Qt::SHIFT | Qt::Key_P)},
+                  [&] {
+                      settings::set_perspective(!settings::perspective());
+                      viewport.set_perspective(settings::perspective());
+                  },
+                  {},
+                  [] { return settings::perspective(); },
+                  tr("What is nearer is larger; there is no scale bar then (Shift+P)")});
     for (const auto& [style, label, name] : {std::tuple{PartStyle::smooth, tr("&Smooth"), "shade_smooth"},
                                              std::tuple{PartStyle::flat, tr("&Flat"), "shade_flat"},
                                              std::tuple{PartStyle::wire, tr("&Wire"), "shade_wire"}})
@@ -320,6 +331,7 @@ void add_commands(Commands& commands, MainWindow& window) {
 void take_preferences(MainWindow& w) {
     w.set_theme(settings::theme());
     w.viewport().set_navigation(settings::navigation());
+    w.viewport().set_perspective(settings::perspective());
     w.files().autosave().set_interval(settings::autosave_interval());
     set_thread_count(settings::threads());
     w.start_page().show_usual();

@@ -83,9 +83,9 @@ std::vector<MenuTable> menus() {
           "preferences"}},
         {"view_menu", tr("&View"),
          Entries{"see_prepare", "see_plan", "see_verify", "see_simulate", "-"} + views()
-             + Entries{"measure", "-", "shading_menu", "colour_menu", "-", "project_dock", "properties_dock",
-                       "report_dock", "verification_dock", "cspace_dock", "unrolled_dock", "strips_dock",
-                       "place_dock", "chart_dock", "log_dock", "tool_bar"}},
+             + Entries{"perspective", "measure", "-", "shading_menu", "colour_menu", "-", "project_dock",
+                       "properties_dock", "report_dock", "verification_dock", "cspace_dock", "unrolled_dock",
+                       "strips_dock", "place_dock", "chart_dock", "log_dock", "tool_bar"}},
         {"plan_menu",
          tr("&Plan"),
          {"plan", "verify", "-", "plan_all", "verify_all", "-", "cancel", "-", "export"}},

@@ -164,6 +164,14 @@ void Scene::Impl::set_clipping_range() {
     }
     const double ends[6] = {box.lo.x(), box.hi.x(), box.lo.y(), box.hi.y(), box.lo.z(), box.hi.z()};
     stage.renderer->ResetCameraClippingRange(ends);
+    if (!stage.camera.perspective()) return;
+    // Depth is finest near the eye: much before what is looked at it would be wasted on what is not there.
+    constexpr double nearest_share = 0.05;
+    vtkCamera* camera = stage.camera.vtk();
+    double range[2];
+    camera->GetClippingRange(range);
+    range[0] = std::max(range[0], nearest_share * camera->GetDistance());
+    camera->SetClippingRange(range[0], std::max(range[1], 2 * range[0]));
 }
 
 bool Scene::Impl::shows_content() const {
@@ -203,7 +211,7 @@ OverlayContent Scene::Impl::overlay_content() {
         content.legend = legend();
         content.color_bars = color_bars();
     }
-    content.scale = stage.on(Layer::scale) && shows_content();
+    content.scale = stage.on(Layer::scale) && shows_content() && !camera.perspective();
     content.unit = stage.unit;
     content.mm_per_pixel = camera.pixel_size() * stage.ratio;
     content.axes = stage.on(Layer::axes);
@@ -330,6 +338,11 @@ const SceneCamera& Scene::camera() const {
 
 void Scene::set_pixel_ratio(double ratio) {
     impl_->stage.ratio = ratio > 0 ? ratio : 1.0;
+    impl_->apply_line_widths();
+}
+
+void Scene::set_line_scale(double scale) {
+    impl_->stage.line_scale = scale;
     impl_->apply_line_widths();
 }
 

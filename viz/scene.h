@@ -5,8 +5,8 @@
 // Each kind of thing is a layer with an interface of its own: `scene.part().set(display)`.
 //
 // Frames. World coordinates are part coordinates in mm. Display coordinates are device pixels of the window
-// with the origin at the top left and y down, as widgets and pictures have them. Projection is parallel, so
-// that the scale bar holds everywhere.
+// with the origin at the top left and y down, as widgets and pictures have them. Projection is parallel at
+// first; in perspective there is no scale bar, which would not hold everywhere.
 //
 // Everything that takes long for a large part or path (arrays, normals, edges) is done by
 // prepare_part_display and prepare_path_display on any thread; the layers take the finished display and only
@@ -76,6 +76,9 @@ public:
 
     /// Device pixels per layout pixel: text, lines and margins grow with it. 1 at first.
     void set_pixel_ratio(double ratio);
+    /// Lines and dots are so much wider than the ratio says: on a screen with many pixels and no ratio. 1 at
+    /// first.
+    void set_line_scale(double scale);
     void set_palette(Palette palette);
     Palette palette() const;
     /// Unit of the scale bar. Everything else in a Scene is mm.

@@ -234,8 +234,8 @@ void SceneBoundaries::apply_palette(const Colors& colors) {
 
 void SceneBoundaries::apply_line_widths() {
     for (Tint& tint : tints_) {
-        tint.line.set_line_width(2.4 * stage_.ratio);
-        tint.dots.set_point_size(8 * stage_.ratio);
+        tint.line.set_line_width(2.4 * stage_.line_ratio());
+        tint.dots.set_point_size(8 * stage_.line_ratio());
     }
 }
 

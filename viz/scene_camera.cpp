@@ -16,6 +16,14 @@ namespace {
 
 constexpr double fit_margin = 1.07;       // free room around what is fitted
 constexpr double empty_view_height = 100; // mm, of an empty scene
+constexpr double view_angle = 30;         // degrees, of a perspective picture's height
+/// Places nearer to the eye than this share of the focal point's distance are behind it.
+constexpr double nearest_share = 1e-3;
+constexpr double behind_eye = -1e6; // pixels
+
+double eye_distance(double scale) {
+    return scale / std::tan(0.5 * radians(view_angle));
+}
 
 /// Direction from the scene to the eye, and up.
 std::pair<Vec3, Vec3> view_vectors(StandardView view) {
@@ -125,6 +133,7 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
 
 SceneCamera::SceneCamera(vtkRenderer* renderer) : renderer_(renderer) {
     vtk()->ParallelProjectionOn(); // makes the camera, too
+    vtk()->SetViewAngle(view_angle);
 }
 
 SceneCamera::~SceneCamera() = default;
@@ -165,22 +174,60 @@ double SceneCamera::pixel_size() const {
     return height > 0 ? 2.0 * vtk()->GetParallelScale() / height : 0.0;
 }
 
+Vec2 Projection::pixel(const Vec3& place) const {
+    if (mm_ <= 0) return Vec2::Zero();
+    const double mm = pixel_size(place);
+    if (!(mm > 0)) return Vec2::Constant(behind_eye);
+    const Vec3 d = axes_ * (place - focal_);
+    return middle_ + Vec2(d.x(), -d.y()) / mm;
+}
+
+double Projection::pixel_size(const Vec3& place) const {
+    if (eye_ == infinity) return mm_;
+    const double share = 1 + depth(place) / eye_;
+    return share > nearest_share ? share * mm_ : 0;
+}
+
+SightLine Projection::sight_to(const Vec3& place) const {
+    if (eye_ == infinity) return {place, -axes_.row(2).transpose(), infinity};
+    const Vec3 from_eye = place - (focal_ + eye_ * axes_.row(2).transpose());
+    const double length = from_eye.norm();
+    if (!(length > 0)) return {place, -axes_.row(2).transpose(), 0};
+    return {place, from_eye / length, (1 - nearest_share) * length};
+}
+
+SightLine Projection::sight_at(double x, double y) const {
+    const Vec2 off = (Vec2(x, y) - middle_) * mm_;
+    return sight_to(focal_ + axes_.row(0).transpose() * off.x() - axes_.row(1).transpose() * off.y());
+}
+
+Projection SceneCamera::projection() const {
+    Projection now;
+    now.focal_ = Vec3(vtk()->GetFocalPoint());
+    now.axes_ = frame();
+    now.middle_ = window_size().cast<double>() / 2;
+    now.mm_ = pixel_size();
+    if (perspective()) now.eye_ = eye_distance(vtk()->GetParallelScale());
+    return now;
+}
+
 Vec3 SceneCamera::point_at(double x, double y) const {
-    const Eigen::Vector2i size = window_size();
-    const Vec3 focal(vtk()->GetFocalPoint());
-    const Mat3 axes = frame();
-    const double mm = pixel_size();
-    return focal + axes.row(0).transpose() * ((x - size.x() / 2.0) * mm)
-           + axes.row(1).transpose() * ((size.y() / 2.0 - y) * mm);
+    return projection().sight_at(x, y).at;
 }
 
 Vec2 SceneCamera::display_of(const Vec3& point) const {
-    const Eigen::Vector2i size = window_size();
-    const double mm = pixel_size();
-    if (mm <= 0) return Vec2::Zero();
-    const Mat3 axes = frame();
-    const Vec3 d = point - point_at(size.x() / 2.0, size.y() / 2.0);
-    return {size.x() / 2.0 + axes.row(0).dot(d) / mm, size.y() / 2.0 - axes.row(1).dot(d) / mm};
+    return projection().pixel(point);
+}
+
+bool SceneCamera::perspective() const {
+    return vtk()->GetParallelProjection() == 0;
+}
+
+void SceneCamera::set_perspective(bool on) {
+    if (on == perspective()) return;
+    if (on) away_ = vtk()->GetDistance();
+    vtk()->SetParallelProjection(!on);
+    place_at(Vec3(vtk()->GetFocalPoint()), away_, vtk()->GetParallelScale());
 }
 
 CameraPlace SceneCamera::place() const {
@@ -192,7 +239,8 @@ CameraPlace SceneCamera::place() const {
 
 void SceneCamera::look_at(const CameraPlace& place) {
     vtkCamera* camera = vtk();
-    const double distance = std::max(camera->GetDistance(), 1e-3);
+    const double distance =
+        perspective() ? eye_distance(place.height / 2) : std::max(camera->GetDistance(), 1e-3);
     const Vec3 eye = place.target + distance * place.toward_eye;
     camera->SetFocalPoint(place.target.x(), place.target.y(), place.target.z());
     camera->SetPosition(eye.x(), eye.y(), eye.z());
@@ -231,11 +279,10 @@ void SceneCamera::turn_to(StandardView view) {
 
 void SceneCamera::place_at(const Vec3& focal, double distance, double scale) {
     vtkCamera* camera = vtk();
-    const Vec3 eye = focal + distance * toward_eye();
+    const Vec3 eye = focal + (perspective() ? eye_distance(scale) : distance) * toward_eye();
     camera->SetFocalPoint(focal.x(), focal.y(), focal.z());
     camera->SetPosition(eye.x(), eye.y(), eye.z());
     camera->SetParallelScale(scale);
-    camera->ParallelProjectionOn();
 }
 
 void SceneCamera::fit_empty() {
@@ -260,18 +307,58 @@ void SceneCamera::fit(const Box3& box, const OverlayLayout& clear_of, double rat
         const Vec2 off = (f.center - Vec2(width / 2, height / 2)) / per_mm; // of the box from the middle
         focal -= axes.row(0).transpose() * off.x() - axes.row(1).transpose() * off.y();
     }
-    place_at(focal, std::max(2 * box.diagonal(), 1e-3), scale);
+    away_ = std::max(2 * box.diagonal(), 1e-3);
+    // What is nearer is larger: the middle of the box goes back until its front is as large as it may be.
+    const double front = axes.row(2).cwiseAbs().dot(half);
+    const double back = perspective() ? front * scale / eye_distance(scale) : 0;
+    place_at(focal, away_, scale + back);
+    if (!perspective() || !window_ || !(per_mm > 0) || !std::isfinite(per_mm)) return;
+    Vec2 reach = Vec2::Zero();
+    for (const Vec2& edge : edges)
+        reach += edge.cwiseAbs();
+    fit_perspective(box, f.center * ratio, reach * per_mm * ratio);
+}
+
+void SceneCamera::fit_perspective(const Box3& box, const Vec2& middle, const Vec2& reach) {
+    constexpr int rounds = 6; // each leaves a tenth of what was missing
+    for (int round = 0; round < rounds; ++round) {
+        const Projection now = projection();
+        Vec2 lo = Vec2::Constant(infinity), hi = -lo;
+        double mm = now.mm_; // of its front, which is what its shadow's edges are of
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 p(corner & 1 ? box.hi.x() : box.lo.x(), corner & 2 ? box.hi.y() : box.lo.y(),
+                         corner & 4 ? box.hi.z() : box.lo.z());
+            lo = lo.cwiseMin(now.pixel(p));
+            hi = hi.cwiseMax(now.pixel(p));
+            mm = std::min(mm, now.pixel_size(p));
+        }
+        const Vec2 off = ((lo + hi) / 2 - middle) * mm;
+        double larger = 0;
+        for (int k = 0; k < 2; ++k)
+            if (reach[k] > 0) larger = std::max(larger, (hi - lo)[k] / (2 * reach[k]));
+        const double scale = vtk()->GetParallelScale();
+        const Vec3 focal =
+            now.focal_ + now.axes_.row(0).transpose() * off.x() - now.axes_.row(1).transpose() * off.y();
+        // Not so near that the box comes behind the eye.
+        const double front = now.axes_.row(2).cwiseAbs().dot(box.size() / 2);
+        place_at(focal, away_,
+                 std::max(larger > 0 ? scale * larger : scale, 1.05 * front * scale / eye_distance(scale)));
+    }
 }
 
 void SceneCamera::zoom_at(double x, double y, double factor) {
     if (!(factor > 0) || !std::isfinite(factor) || pixel_size() <= 0) return;
-    vtkCamera* camera = vtk();
-    const Vec3 before = point_at(x, y);
-    camera->SetParallelScale(camera->GetParallelScale() / factor);
-    const Vec3 move = before - point_at(x, y);
-    const Vec3 focal = Vec3(camera->GetFocalPoint()) + move, eye = Vec3(camera->GetPosition()) + move;
-    camera->SetFocalPoint(focal.x(), focal.y(), focal.z());
-    camera->SetPosition(eye.x(), eye.y(), eye.z());
+    const double scale = vtk()->GetParallelScale();
+    const Vec3 focal(vtk()->GetFocalPoint());
+    place_at(focal + (1 - 1 / factor) * (point_at(x, y) - focal), vtk()->GetDistance(), scale / factor);
+}
+
+void SceneCamera::focus_at(const Vec3& place) {
+    if (!perspective()) return;
+    const double scale = vtk()->GetParallelScale(), eye = eye_distance(scale);
+    const double depth = projection().depth(place);
+    if (!(eye + depth > nearest_share * eye)) return;
+    place_at(Vec3(vtk()->GetFocalPoint()) - depth * toward_eye(), away_, scale * (1 + depth / eye));
 }
 
 void SceneCamera::center_on(const Vec3& point) {

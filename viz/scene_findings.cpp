@@ -56,7 +56,7 @@ void SceneFindings::apply_palette(const Colors& colors) {
 
 void SceneFindings::apply_line_widths() {
     for (auto& a : dots_)
-        a.set_point_size(10 * stage_.ratio);
+        a.set_point_size(10 * stage_.line_ratio());
 }
 
 void SceneFindings::apply_visibility(ShownSurface) {

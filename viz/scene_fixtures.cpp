@@ -88,11 +88,13 @@ void SceneFixtures::shift(std::size_t i, const Vec3& by) {
 std::optional<SceneFixtures::Pick> SceneFixtures::pick(double x, double y, const ScenePart& part) const {
     const SceneCamera& camera = stage_.camera;
     if (bodies_.empty() || camera.pixel_size() <= 0) return std::nullopt;
-    const Vec3 direction = -camera.toward_eye(), at = camera.point_at(x, y);
+    const SightLine line = camera.sight_at(x, y);
+    const Vec3 &at = line.at, &direction = line.direction;
     double nearest = infinity;
     Pick found;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const double along = bodies_[i]->sights.first(*(*fixtures_)[i].mesh, at, direction).distance;
+        const double along =
+            bodies_[i]->sights.first(*(*fixtures_)[i].mesh, at, direction, -line.back).distance;
         if (along < nearest) {
             nearest = along;
             found = {i, at + along * direction};
@@ -115,7 +117,7 @@ void SceneFixtures::apply_palette(const Colors& colors) {
 
 void SceneFixtures::apply_line_widths() {
     for (const auto& body : bodies_)
-        body->edges.set_line_width(1.2 * stage_.ratio);
+        body->edges.set_line_width(1.2 * stage_.line_ratio());
 }
 
 void SceneFixtures::apply_visibility(ShownSurface) {

@@ -41,7 +41,7 @@ void SceneFormer::apply_palette(const Colors& colors) {
 }
 
 void SceneFormer::apply_line_widths() {
-    lines_.set_line_width(1.4 * stage_.ratio);
+    lines_.set_line_width(1.4 * stage_.line_ratio());
 }
 
 void SceneFormer::apply_visibility(ShownSurface) {

@@ -53,6 +53,8 @@ struct SceneStage {
     Palette palette = Palette::light;
     LengthUnit unit = LengthUnit::mm;
     double ratio = 1;
+    double line_scale = 1;
+    double line_ratio() const { return ratio * line_scale; } ///< pixels of a line of width 1
     bool moving = false; ///< large things are drawn coarsely
     std::vector<bool> layers_on;
 };

@@ -49,8 +49,8 @@ void SceneLevels::apply_palette(const Colors& colors) {
 }
 
 void SceneLevels::apply_line_widths() {
-    others_.lines.set_line_width(0.9 * stage_.ratio);
-    chosen_.lines.set_line_width(2.4 * stage_.ratio);
+    others_.lines.set_line_width(0.9 * stage_.line_ratio());
+    chosen_.lines.set_line_width(2.4 * stage_.line_ratio());
 }
 
 void SceneLevels::apply_visibility(ShownSurface) {

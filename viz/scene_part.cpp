@@ -83,11 +83,11 @@ std::optional<PartPick> ScenePart::pick(double x, double y) const {
     const SceneCamera& camera = stage_.camera;
     if (!part_ || camera.pixel_size() <= 0) return std::nullopt;
     const Mesh& mesh = *part_->mesh;
-    const Vec3 direction = -camera.toward_eye(), at = camera.point_at(x, y);
+    const SightLine line = camera.sight_at(x, y);
+    const Vec3& direction = line.direction;
     // Start before everything: in parallel projection the eye's own place means nothing.
-    const double back = 2 * part_->box.diagonal() + (part_->box.center() - at).norm();
-    const Vec3 origin = at - back * direction;
-    const SightHit hit = part_->sights.first(mesh, origin, direction);
+    const Vec3 origin = line.start(2 * part_->box.diagonal() + (part_->box.center() - line.at).norm());
+    const SightHit hit = part_->sights.first(mesh, origin, direction, 0);
     if (!hit.found()) return std::nullopt;
     PartPick pick;
     pick.point = origin + hit.distance * direction;
@@ -99,26 +99,17 @@ std::optional<PartPick> ScenePart::pick(double x, double y) const {
 
 bool ScenePart::hides(const Vec3& place) const {
     if (!part_) return false;
-    const Vec3 toward = stage_.camera.toward_eye();
-    const double back = 2 * part_->box.diagonal() + (part_->box.center() - place).norm();
-    const SightHit hit = part_->sights.first(*part_->mesh, place + back * toward, -toward);
-    const double slack = 2 * stage_.camera.pixel_size() + 1e-3 * part_->box.diagonal();
-    return hit.distance < back - slack;
+    const SightLine line = stage_.camera.sight_to(place);
+    const Vec3 start = line.start(2 * part_->box.diagonal() + (part_->box.center() - place).norm());
+    const SightHit hit = part_->sights.first(*part_->mesh, start, line.direction, 0);
+    const double slack = 2 * stage_.camera.pixel_size(place) + 1e-3 * part_->box.diagonal();
+    return hit.distance < (place - start).norm() - slack;
 }
 
 ScenePart::FacetSearch ScenePart::facets_in(const Vec2& from, const Vec2& to, bool through) const {
     const SceneCamera& camera = stage_.camera;
     if (!part_ || camera.pixel_size() <= 0) return [](const Progress&) { return std::vector<Index>(); };
-    // Projection is parallel: pixels are linear in places.
-    const Vec3 origin = part_->center;
-    const Vec2 first = camera.display_of(origin);
-    const double step = std::max(part_->box.diagonal(), 1e-6);
-    Eigen::Matrix<double, 2, 3> along;
-    for (int k = 0; k < 3; ++k)
-        along.col(k) = (camera.display_of(origin + step * Vec3::Unit(k)) - first) / step;
-    const Vec2 lo = from - first, hi = to - first;
-    const Vec3 toward = camera.toward_eye();
-    return [=, part = part_](const Progress& progress) {
+    return [=, part = part_, view = camera.projection()](const Progress& progress) {
         const Mesh& mesh = *part->mesh;
         const double back = 2 * part->box.diagonal(), slack = 1e-6 * part->box.diagonal();
         std::vector<char> in(mesh.facet_count(), 0);
@@ -127,12 +118,15 @@ ScenePart::FacetSearch ScenePart::facets_in(const Vec2& from, const Vec2& to, bo
             Vec3 middle = Vec3::Zero();
             for (int k = 0; k < 3; ++k) {
                 const Vec3& corner = mesh.corner(f, k);
-                const Vec2 at = along * (corner - origin);
-                if ((at.array() < lo.array()).any() || (at.array() > hi.array()).any()) return;
+                const Vec2 at = view.pixel(corner);
+                if ((at.array() < from.array()).any() || (at.array() > to.array()).any()) return;
                 middle += corner / 3;
             }
-            in[f] =
-                through || part->sights.first(mesh, middle + back * toward, -toward).distance > back - slack;
+            const SightLine line = view.sight_to(middle);
+            const Vec3 start = line.start(back);
+            in[f] = through
+                    || part->sights.first(mesh, start, line.direction, 0).distance
+                           > (middle - start).norm() - slack;
         });
         std::vector<Index> found;
         for (std::size_t f = 0; f < in.size(); ++f)
@@ -168,8 +162,8 @@ void ScenePart::apply_palette(const Colors& colors) {
 }
 
 void ScenePart::apply_line_widths() {
-    lines_.set_line_width(1.1 * stage_.ratio);
-    edges_.first.set_line_width(0.6 * stage_.ratio);
+    lines_.set_line_width(1.1 * stage_.line_ratio());
+    edges_.first.set_line_width(0.6 * stage_.line_ratio());
 }
 
 void ScenePart::apply_visibility(ShownSurface shown) {

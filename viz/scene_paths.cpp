@@ -106,18 +106,13 @@ std::optional<PathPick> ScenePaths::pick(double x, double y, double radius) cons
 }
 
 std::vector<ScenePaths::Candidate> ScenePaths::candidates(double x, double y, double radius) const {
-    const double mm = stage_.camera.pixel_size();
-    const Mat3 frame = stage_.camera.frame();
-    const Vec3 at = stage_.camera.point_at(x, y), right = frame.row(0).transpose(),
-               up = frame.row(1).transpose(), toward = frame.row(2).transpose();
+    const Projection view = stage_.camera.projection();
     std::vector<Candidate> near;
     const auto consider = [&](const Vec3& p, Candidate c) {
-        const Vec3 d = p - at;
-        const double dx = d.dot(right) / mm, dy = d.dot(up) / mm;
-        const double pixels = std::sqrt(dx * dx + dy * dy);
+        const double pixels = (view.pixel(p) - Vec2(x, y)).norm();
         if (!(pixels <= radius)) return;
         c.pixels = pixels;
-        c.depth = -d.dot(toward);
+        c.depth = view.depth(p);
         near.push_back(c);
     };
     for (std::size_t s = 0; s < path_->sources.size(); ++s) {
@@ -186,7 +181,7 @@ void ScenePaths::apply_palette(const Colors& colors) {
 }
 
 void ScenePaths::apply_line_widths() {
-    const double ratio = stage_.ratio;
+    const double ratio = stage_.line_ratio();
     for (std::size_t k = 0; k < motion_kinds; ++k) {
         lines_[k].set_line_width(motion_line_width(MotionKind(k)) * ratio);
         tint_lines_[k].set_line_width(2.2 * ratio); // colours that are to be told apart
@@ -215,7 +210,7 @@ void ScenePaths::apply_visibility(ShownSurface) {
 
 void ScenePaths::prepare_frame() {
     // Dots and lines that would run into each other are thinner.
-    const double mm = stage_.camera.pixel_size(), ratio = stage_.ratio;
+    const double mm = stage_.camera.pixel_size(), ratio = stage_.line_ratio();
     const double gap = path_ && path_->contact_spacing > 0 && mm > 0 ? path_->contact_spacing / mm : infinity;
     contact_dots_.set_point_size(std::clamp(0.4 * gap, 0.8 * ratio, 2.6 * ratio));
     contact_lines_.set_line_width(std::clamp(0.2 * gap, 0.4 * ratio, 0.8 * ratio));

@@ -113,7 +113,7 @@ void SceneStock::apply_palette(const Colors& colors) {
 }
 
 void SceneStock::apply_line_widths() {
-    lines_.set_line_width(1.4 * stage_.ratio);
+    lines_.set_line_width(1.4 * stage_.line_ratio());
 }
 
 void SceneStock::apply_visibility(ShownSurface shown) {

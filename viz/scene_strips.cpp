@@ -159,9 +159,9 @@ void SceneStrips::apply_palette(const Colors&) {
 
 void SceneStrips::apply_line_widths() {
     for (std::size_t i = 0; i < lines_.size(); ++i)
-        lines_[i]->set_line_width((chosen_ == i ? 3.4 : 2.0) * stage_.ratio);
+        lines_[i]->set_line_width((chosen_ == i ? 3.4 : 2.0) * stage_.line_ratio());
     for (auto& a : handles_)
-        a->set_point_size(8 * stage_.ratio);
+        a->set_point_size(8 * stage_.line_ratio());
 }
 
 void SceneStrips::apply_visibility(ShownSurface) {

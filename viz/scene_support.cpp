@@ -46,7 +46,7 @@ void SceneSupport::apply_palette(const Colors& colors) {
 }
 
 void SceneSupport::apply_line_widths() {
-    lines_.set_line_width(2.4 * stage_.ratio);
+    lines_.set_line_width(2.4 * stage_.line_ratio());
 }
 
 void SceneSupport::apply_visibility(ShownSurface) {

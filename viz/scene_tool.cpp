@@ -83,7 +83,7 @@ void SceneTool::apply_palette(const Colors& colors) {
 
 void SceneTool::apply_line_widths() {
     for (auto& a : rings_)
-        a.set_line_width(1.0 * stage_.ratio);
+        a.set_line_width(1.0 * stage_.line_ratio());
 }
 
 void SceneTool::apply_visibility(ShownSurface) {

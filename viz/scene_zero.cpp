@@ -45,7 +45,7 @@ void SceneZero::apply_palette(const Colors& colors) {
 
 void SceneZero::apply_line_widths() {
     for (SceneActor& a : axes_)
-        a.set_line_width(3 * stage_.ratio);
+        a.set_line_width(3 * stage_.line_ratio());
 }
 
 void SceneZero::apply_visibility(ShownSurface) {

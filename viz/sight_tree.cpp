@@ -141,8 +141,8 @@ SightTree::SightTree(const Mesh& mesh, const Progress& progress) {
     progress.set(1);
 }
 
-bool SightTree::meets(const Box& box, const Vec3& origin, const Vec3& direction, double before) const {
-    double from = -infinity, to = before;
+bool SightTree::meets(const Box& box, const Vec3& origin, const Vec3& direction, double from,
+                      double to) const {
     for (std::size_t k = 0; k < 3; ++k) {
         const double o = origin[Eigen::Index(k)], d = direction[Eigen::Index(k)];
         const double lo = double(box.lo[k]) - o, hi = double(box.hi[k]) - o;
@@ -157,7 +157,7 @@ bool SightTree::meets(const Box& box, const Vec3& origin, const Vec3& direction,
     return from <= to + slack_;
 }
 
-SightHit SightTree::first(const Mesh& mesh, const Vec3& origin, const Vec3& direction) const {
+SightHit SightTree::first(const Mesh& mesh, const Vec3& origin, const Vec3& direction, double after) const {
     SightHit best;
     if (levels_.empty()) return best;
     const Vec3 from = origin - center_;
@@ -168,7 +168,7 @@ SightHit SightTree::first(const Mesh& mesh, const Vec3& origin, const Vec3& dire
     while (!open.empty()) {
         const Node node = open.back();
         open.pop_back();
-        if (!meets(levels_[node.level][node.index], from, direction, best.distance)) continue;
+        if (!meets(levels_[node.level][node.index], from, direction, after, best.distance)) continue;
         const std::size_t begin = node.index * arity, end = begin + arity;
         if (node.level > 0) {
             for (std::size_t i = begin; i < std::min(end, levels_[node.level - 1].size()); ++i)
@@ -178,6 +178,7 @@ SightHit SightTree::first(const Mesh& mesh, const Vec3& origin, const Vec3& dire
         for (std::size_t i = begin; i < std::min(end, order_.size()); ++i) {
             const std::size_t f = order_[i];
             const double t = distance_to(mesh, f, origin, direction);
+            if (t < after) continue;
             if (t < best.distance || (t == best.distance && t < infinity && f < best.facet)) best = {t, f};
         }
     }

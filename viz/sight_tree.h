@@ -28,8 +28,10 @@ public:
     SightTree(const Mesh& mesh, const Progress& progress);
 
     /// The first facet of the mesh (the one that the tree was made from) on origin + t direction, of either
-    /// side, with t of any sign; among facets equally near the one of the lowest number. `direction` is unit.
-    SightHit first(const Mesh& mesh, const Vec3& origin, const Vec3& direction) const;
+    /// side, with t of at least `after`; among facets equally near the one of the lowest number. `direction`
+    /// is unit.
+    SightHit first(const Mesh& mesh, const Vec3& origin, const Vec3& direction,
+                   double after = -infinity) const;
 
 private:
     static constexpr std::size_t arity = 8;
@@ -37,7 +39,8 @@ private:
     struct Box {
         std::array<float, 3> lo, hi;
     };
-    bool meets(const Box& box, const Vec3& origin, const Vec3& direction, double before) const;
+    /// Somewhere between the distances `from` and `to`.
+    bool meets(const Box& box, const Vec3& origin, const Vec3& direction, double from, double to) const;
 
     Vec3 center_ = Vec3::Zero(); ///< origin of the boxes' coordinates
     double slack_ = 0;           ///< error of distances, mm

@@ -1,0 +1,60 @@
+#include "ui/cube_place.h"
+
+#include "ui/view_cube.h"
+#include "ui/viewport.h"
+
+#include <QChildEvent>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr int margin = 8, scale_bar = 52;      // points
+constexpr int min_width = 260, min_free = 100; // of a view with a cube, points
+
+} // namespace
+
+CubePlace::CubePlace(Viewport& viewport, ViewCube& cube)
+    : QObject(&viewport), viewport_(viewport), cube_(cube) {
+    viewport.installEventFilter(this);
+}
+
+void CubePlace::update() {
+    // Lower right, above the scale bar: the legend stands above, the axes on the left.
+    const auto others = viewport_.findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    const auto blocks = [&](const QWidget* other) {
+        return other != &cube_ && !other->isHidden()
+               && !other->testAttribute(Qt::WA_TransparentForMouseEvents)
+               && other->geometry().intersects(cube_.geometry());
+    };
+    const int width = viewport_.width(), height = viewport_.height();
+    int below = scale_bar;
+    cube_.move(width - cube_.width() - margin, height - cube_.height() - below);
+    for (const QWidget* other : others) // a message along the lower edge
+        if (blocks(other) && other->geometry().bottom() >= height - 1)
+            below = std::max(below, height - other->y() + margin);
+    cube_.move(cube_.x(), height - cube_.height() - below);
+    const bool free = width > min_width && height > min_free + cube_.height() + below - scale_bar
+                      && std::none_of(others.begin(), others.end(), blocks);
+    cube_.setVisible(free);
+    const QRectF covered = free ? QRectF(cube_.geometry()) : QRectF();
+    viewport_.scene().strips().set_covered({covered.left(), covered.top()},
+                                           {covered.right(), covered.bottom()});
+}
+
+bool CubePlace::eventFilter(QObject* object, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (object == &viewport_) {
+        if (type == QEvent::ChildAdded) static_cast<QChildEvent*>(event)->child()->installEventFilter(this);
+    } else if (object->parent() == &viewport_ && object != &cube_
+               && (type == QEvent::Show || type == QEvent::Hide || type == QEvent::Resize
+                   || type == QEvent::Move)) {
+        QTimer::singleShot(0, this, &CubePlace::update);
+    }
+    return QObject::eventFilter(object, event);
+}
+
+} // namespace facetmill::ui
