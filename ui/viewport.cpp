@@ -135,7 +135,7 @@ void Viewport::camera_moved() {
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
     // A further button may change what a drag does.
-    if (drag_.kind() == Drag::move || drag_.kind() == Drag::turn) {
+    if (drag_.kind() == Drag::move || drag_.kind() == Drag::turn || drag_.kind() == Drag::hold) {
         const Drag now = drag_of(*event);
         if (navigation_.style == NavigationStyle::freecad && now != drag_.kind() && now != Drag::hold) {
             drag_.begin(now, event->position());
