@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <utility>
 
 namespace facetmill::ui {
@@ -85,8 +86,9 @@ void MessageBar::show_message(Kind kind, const QString& message) {
 }
 
 void MessageBar::place() {
-    const int width = parentWidget()->width();
-    setGeometry(0, 0, width, layout()->totalHeightForWidth(width));
+    const QSize room = parentWidget()->size();
+    const int height = layout()->totalHeightForWidth(room.width());
+    setGeometry(0, std::max(0, room.height() - height), room.width(), height);
 }
 
 void MessageBar::wheelEvent(QWheelEvent* event) {

@@ -1,4 +1,4 @@
-// A line over the top of the view that says what went wrong, or asks for attention, without stopping
+// A line over the lower edge of the view that says what went wrong, or asks for attention, without stopping
 // anybody.
 #pragma once
 
@@ -45,7 +45,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// As wide as the parent, as high as the words need.
+    /// As wide as the parent, as high as the words need; below, where neither title nor legend is.
     void place();
 
     Kind kind_ = Kind::information;
