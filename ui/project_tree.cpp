@@ -6,6 +6,7 @@
 #include "ui/fixture_menu.h"
 #include "ui/operation_actions.h"
 #include "ui/operation_list.h"
+#include "ui/operation_menu.h"
 #include "ui/project_items.h"
 #include "ui/project_tree_view.h"
 #include "ui/setup_list.h"
@@ -220,12 +221,9 @@ void ProjectTree::make_tree() {
 void ProjectTree::make_actions() {
     add_tool_ = new QAction(icon(Icon::tool), tr("Add tool…"), this);
     tool_library_ = ToolLibraryDialog::make_action(document_, this);
-    add_operation_ = new QMenu(tr("Add operation"), this);
-    add_operation_->setIcon(icon(Icon::operation));
-    for (const auto& kind : operation_kinds())
-        add_operation_->addAction(icon(Icon::operation), text(kind.label), this, [this, k = kind.kind] {
-            select({TreeNode::Kind::operation, document_.add_operation(k)});
-        });
+    add_operation_ = operation_menu(this, [this](const std::string& kind) {
+        select({TreeNode::Kind::operation, document_.add_operation(kind)});
+    });
     add_setup_ =
         setup_menu(this, [this](NewSetup how) { change_setups([&] { ui::add_setup(document_, how); }); });
     add_fixture_ = fixture_menu(
@@ -286,6 +284,7 @@ QToolBar* ProjectTree::make_bar() {
     add->setToolTip(tr("Add an operation, a tool, a fixture, a boundary or a setup"));
     add->setPopupMode(QToolButton::InstantPopup);
     auto* add_menu = new QMenu(add);
+    show_pictures(add_menu);
     add_menu->addActions(add_operation_->actions());
     add_menu->addSeparator();
     add_menu->addActions({add_tool_, tool_library_});

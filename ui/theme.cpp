@@ -9,6 +9,8 @@
 #include <QStyleOption>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace facetmill::ui {
 
 namespace {
@@ -53,6 +55,22 @@ public:
         if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton; // a click on a slider goes there
         return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        if (metric == PM_SmallIconSize && widget)
+            if (const QVariant own = widget->property(menu_icon_property); own.isValid()) return own.toInt();
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+        if (type != CT_MenuItem || !item || item->icon.isNull() || !widget) return size;
+        const QVariant wide = widget->property(menu_icon_property);
+        if (!wide.isValid()) return size;
+        constexpr int around = 6;
+        const int high = item->icon.actualSize(QSize(wide.toInt(), wide.toInt())).height() + around;
+        return {size.width(), std::max(size.height(), high)};
     }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {

@@ -39,4 +39,7 @@ struct SignalColors {
 SignalColors signal_colors(const QPalette& palette);
 bool is_dark(const QPalette& palette);
 
+/// A widget, such as a menu, whose small icons are so wide instead, in points.
+inline constexpr char menu_icon_property[] = "menu_icon_width";
+
 } // namespace facetmill::ui
