@@ -11,6 +11,7 @@
 #include "ui/text.h"
 #include "ui/viewport.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QMessageBox>
@@ -234,6 +235,9 @@ int main(int argc, char** argv) {
     if (!options.theme.isEmpty()) window.set_theme(ui::theme_from_name(options.theme));
     if (options.size.isValid()) window.resize(options.size);
     window.show();
+    // Pictures are of the window as it is used.
+    if (options.screenshot.isEmpty() && ui::settings::take_first_start())
+        if (auto* steps = window.findChild<QAction*>(QStringLiteral("first_steps"))) steps->trigger();
     Script script(window, options);
     return QApplication::exec();
 }

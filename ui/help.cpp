@@ -38,6 +38,7 @@ constexpr std::pair<const char*, const char*> help_chapters[] = {
     {"playback_bar", "simulation.html"},
     {"rough_bar", "operations.html#rough"},
     {"start_hint", "first_job.html"},
+    {"first_steps", "first_job.html"},
     {"layer_bar", "simulation.html#layers"},
     {"viewport", "keyboard.html#mouse"},
 };

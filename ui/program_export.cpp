@@ -124,6 +124,7 @@ void ProgramExport::save_programs(const QString& folder, std::optional<std::size
                 messages_.warning(wrote + QChar(' ') + doubt);
             const QUrl place = QUrl::fromLocalFile(path_text(written->front().parent_path()));
             messages_.offer({tr("Open folder"), [place] { QDesktopServices::openUrl(place); }});
+            emit programs_written();
         });
 }
 

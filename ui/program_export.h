@@ -35,6 +35,8 @@ public:
 signals:
     /// The user would rather verify first.
     void verify_wanted();
+    /// Program files lie where they were wanted.
+    void programs_written();
 
 private:
     void ask_folder(std::optional<std::size_t> only);

@@ -94,6 +94,13 @@ void set_navigation(const Navigation& navigation) {
                navigation.orbit == Orbit::trackball ? QLatin1String(trackball) : QLatin1String("turntable"));
 }
 
+bool take_first_start() {
+    QSettings s;
+    const bool first = !s.value(QStringLiteral("started_before"), false).toBool();
+    s.setValue(QStringLiteral("started_before"), true);
+    return first;
+}
+
 bool perspective() {
     return QSettings().value(QStringLiteral("perspective"), false).toBool();
 }

@@ -35,6 +35,8 @@ void set_usual_project(const UsualProject& usual);
 
 Navigation navigation();
 void set_navigation(const Navigation& navigation);
+/// Once: the program was never started before.
+bool take_first_start();
 bool perspective();
 void set_perspective(bool on);
 

@@ -6,6 +6,7 @@
 #include "ui/autosave.h"
 #include "ui/command.h"
 #include "ui/controllers.h"
+#include "ui/first_steps.h"
 #include "ui/help.h"
 #include "ui/help_dialogs.h"
 #include "ui/inputs_controller.h"
@@ -322,6 +323,15 @@ void add_commands(Commands& commands, MainWindow& window) {
     commands.add({"first_job", tr("&First job, step by step"), {}, {}, [help] {
                       help->open(QStringLiteral("first_job.html"));
                   }});
+    auto* steps = new FirstSteps(window);
+    commands.add({"first_steps",
+                  tr("Show the &steps of a first job"),
+                  {},
+                  {},
+                  [steps] { steps->isVisible() ? steps->hide() : steps->start(); },
+                  {},
+                  [steps] { return steps->isVisible(); },
+                  tr("Above the view: what comes next, ticked off as it is done")});
     commands.add({"keys", tr("&Keys and mouse"), {}, {QKeySequence(Qt::SHIFT | Qt::Key_F1)}, [&window] {
                       show_shortcuts(&window);
                   }});

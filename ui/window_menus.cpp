@@ -89,7 +89,7 @@ std::vector<MenuTable> menus() {
         {"plan_menu",
          tr("&Plan"),
          {"plan", "verify", "-", "plan_all", "verify_all", "-", "cancel", "-", "export"}},
-        {"help_menu", tr("&Help"), {"manual", "first_job", "keys", "about"}}};
+        {"help_menu", tr("&Help"), {"manual", "first_job", "first_steps", "keys", "about"}}};
 }
 
 Entries tools() {
