@@ -89,10 +89,12 @@ void BoundaryBox::build_shapes(QVBoxLayout* column) {
     radius_label_ = new QLabel(tr("Radius"), painting_);
     radius_ = number_box(painting_, "paint_radius", 1e5, 3);
     radius_->setMinimum(0.001);
+    radius_->setAccessibleName(radius_label_->text());
     angle_label_ = new QLabel(tr("Angle"), painting_);
     angle_ = number_box(painting_, "paint_angle", 180, 1);
     angle_->setSuffix(QStringLiteral("°"));
     angle_->setValue(20);
+    angle_->setAccessibleName(angle_label_->text());
     grid->addWidget(radius_label_, 0, 0);
     grid->addWidget(radius_, 0, 1);
     grid->addWidget(angle_label_, 1, 0);
@@ -134,9 +136,11 @@ void BoundaryBox::build_changes(QVBoxLayout* column) {
            "paint_shrink");
     column->addWidget(holder);
     auto* by = new QHBoxLayout;
-    by->addWidget(new QLabel(tr("Grow and shrink by"), painting_));
+    auto* by_label = new QLabel(tr("Grow and shrink by"), painting_);
+    by->addWidget(by_label);
     distance_ = number_box(painting_, "paint_distance", 1e5, 3);
     distance_->setSpecialValueText(tr("one ring"));
+    distance_->setAccessibleName(by_label->text());
     by->addWidget(distance_, 1);
     column->addLayout(by);
 }

@@ -61,6 +61,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     close_->setIcon(icon(Icon::close));
     close_->setAutoRaise(true);
     close_->setToolTip(tr("Dismiss"));
+    close_->setAccessibleName(close_->toolTip());
     connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 5, 5);

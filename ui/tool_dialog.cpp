@@ -128,6 +128,8 @@ ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> take
 }
 
 QWidget* ToolDialog::make_lists() {
+    auto* lists = new QTabWidget(this); // first: Tab comes to its tabs before what stands below them
+    lists->setObjectName(QStringLiteral("lists"));
     holder_ = new RecordTable(
         holder_parameters().infos(), unit_,
         {QStringLiteral("holder"), QStringLiteral("section"), tr("Holder section"),
@@ -167,8 +169,6 @@ QWidget* ToolDialog::make_lists() {
         validate();
     });
 
-    auto* lists = new QTabWidget(this);
-    lists->setObjectName(QStringLiteral("lists"));
     lists->addTab(holder_, tr("&Holder, from the shank upward"));
     lists->addTab(cutting_, tr("&Feeds and speeds"));
     return lists;
