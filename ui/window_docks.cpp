@@ -33,10 +33,12 @@ void WindowDocks::add(const Place& place) {
     if (!place.beside.isEmpty()) window_.tabifyDockWidget(docks_.at(place.beside), dock);
     if (place.hidden) dock->hide();
     give_key(dock);
-    if (!place.controller) return;
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [dock](bool on) {
-        if (on) dock->raise();
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool on) {
+        if (!on) return;
+        arrange(); // in a narrow window it has no place of its own
+        dock->raise();
     });
+    if (!place.controller) return;
     connect(dock, &QDockWidget::visibilityChanged, place.controller,
             [this, dock, controller = place.controller,
              below = place.area == Qt::BottomDockWidgetArea](bool seen) {
