@@ -1,6 +1,7 @@
 // Access by keys and by assistive technology: every control says what it is, Tab goes on as one reads, and
 // words can be read in both palettes.
 #include "tests/screenshot/window_support.h"
+#include "tests/screenshot/window_tour.h"
 #include "ui/document.h"
 #include "ui/preferences_dialog.h"
 #include "ui/project_tree.h"
@@ -11,6 +12,7 @@
 #include "ui/window_docks.h"
 #include "ui/workspaces.h"
 
+#include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QApplication>
@@ -89,6 +91,48 @@ QStringList nameless(QWidget& window) {
     return found;
 }
 
+/// What stands behind a widget's words.
+QColor ground_of(const QWidget& w) {
+    for (const QWidget* p = &w; p; p = p->parentWidget())
+        if (p == &w ? qobject_cast<const QAbstractButton*>(p) || p->autoFillBackground()
+                    : p->autoFillBackground() || p->isWindow())
+            return p->palette().color(p->backgroundRole());
+    return w.palette().color(QPalette::Window);
+}
+
+/// The first control that Tab reaches too late or too early; empty where there is none.
+QString out_of_order(QWidget& area) {
+    std::vector<QWidget*> fields;
+    QWidget* first = nullptr;
+    for (QWidget* c : controls_of(*area.window()))
+        if (area.isAncestorOf(c) && !c->visibleRegion().isEmpty() && !qobject_cast<QScrollArea*>(c)) {
+            // Where the way of the keys comes into the area.
+            const QWidget* before = c->previousInFocusChain();
+            if (!first || !area.isAncestorOf(before)) first = c;
+        }
+    if (!first) return {};
+    const QWidget* end = area.window();
+    QSet<const QWidget*> been;
+    for (QWidget* f = first; f && f != end && !been.contains(f); f = f->nextInFocusChain()) {
+        been << f;
+        const QWidget* around = f->parentWidget();
+        const bool part =
+            qobject_cast<const QComboBox*>(around) || qobject_cast<const QAbstractSpinBox*>(around);
+        if (area.isAncestorOf(f) && !part && f->isVisible() && f->isEnabled()
+            && (f->focusPolicy() & Qt::TabFocus) && !f->visibleRegion().isEmpty()
+            && !qobject_cast<QScrollArea*>(f) && !qobject_cast<QTabWidget*>(f))
+            fields.push_back(f);
+    }
+    QRect last;
+    for (const QWidget* f : fields) {
+        const QRect at(f->mapTo(&area, QPoint(0, 0)), f->size());
+        // Below what was before, or beside it: columns that stand beside each other are read one by one.
+        if (!last.isNull() && at.bottom() < last.top() && at.left() <= last.right()) return described(*f);
+        last = at;
+    }
+    return {};
+}
+
 } // namespace
 
 class TestWindowAccess : public QObject, private WindowFixture {
@@ -99,25 +143,10 @@ private slots:
 
     void every_control_has_a_name_and_a_role() {
         QStringList found = nameless(w()); // the start page
+        action(w(), "first_steps")->trigger();
+        found << nameless(w());
         QVERIFY(open_and_plan());
-        using Kind = TreeNode::Kind;
-        for (const Kind kind : {Kind::part, Kind::stock, Kind::machine, Kind::tool, Kind::operation}) {
-            w().tree().select({kind, 0});
-            QTest::qWait(20);
-            found << nameless(w());
-        }
-        for (QDockWidget* dock : w().findChildren<QDockWidget*>()) {
-            dock->show();
-            dock->raise();
-            QTest::qWait(20);
-            found << nameless(w());
-        }
-        for (const Workspace workspace :
-             {Workspace::prepare, Workspace::plan, Workspace::verify, Workspace::simulate}) {
-            w().workspaces().enter(workspace);
-            QTest::qWait(20);
-            found << nameless(w());
-        }
+        tour_window(w(), [&](QWidget& top, const QString&) { found << nameless(top); });
         found.removeDuplicates();
         for (const QString& each : found)
             qWarning().noquote() << each;
@@ -127,39 +156,63 @@ private slots:
     void every_control_of_dialogs_too() {
         QVERIFY(open_and_plan());
         QStringList found;
-        int seen = 0;
-        const auto look = [&] {
-            QList<QPointer<QDialog>> dialogs;
-            for (QWidget* top : QApplication::topLevelWidgets())
-                if (auto* dialog = qobject_cast<QDialog*>(top)) dialogs << dialog;
-            for (const QPointer<QDialog>& dialog : dialogs) {
-                if (!dialog || !dialog->isVisible()) continue;
-                ++seen;
-                if (auto* tabs = dialog->findChild<QTabBar*>()) {
-                    for (int i = 0; i < tabs->count(); ++i) {
-                        tabs->setCurrentIndex(i);
-                        QTest::qWait(20);
-                        found << nameless(*dialog);
-                    }
-                } else
-                    found << nameless(*dialog);
-                dialog->close();
-            }
-            QTest::qWait(20);
+        const QSet<QString> seen =
+            tour_dialogs(w(), [&](QWidget& top, const QString&) { found << nameless(top); });
+        const QSet<QString> missing = dialog_classes() - seen;
+        QVERIFY2(missing.isEmpty(), qPrintable(QStringList(missing.values()).join(QChar(' '))));
+        QVERIFY(dialog_classes().size() > 6);
+        found.removeDuplicates();
+        for (const QString& each : found)
+            qWarning().noquote() << each;
+        QVERIFY(found.isEmpty());
+    }
+
+    /// In the forms of all nodes, in the panels, in dialogs: down from row to row, to the right within one.
+    void tab_goes_on_as_one_reads_everywhere() {
+        QVERIFY(open_and_plan());
+        QStringList found;
+        const auto look = [&](QWidget& top, const QString& page) {
+            // What scrolls or is docked stands for itself.
+            std::vector<QWidget*> areas;
+            if (qobject_cast<QDialog*>(&top))
+                areas.push_back(&top);
+            else
+                for (QDockWidget* dock : top.findChildren<QDockWidget*>())
+                    if (dock->isVisible() && !dock->visibleRegion().isEmpty())
+                        areas.push_back(dock->widget());
+            for (QWidget* area : areas)
+                if (const QString wrong = out_of_order(*area); !wrong.isEmpty())
+                    found << page + QStringLiteral(": ") + wrong;
         };
-        for (QAction* a : {action(w(), "preferences"), w().tree().tool_library_action(), action(w(), "keys"),
-                           action(w(), "about")}) {
-            a->trigger();
-            QTest::qWait(60);
-            look();
-        }
-        for (const std::optional<std::size_t> tool :
-             {std::optional<std::size_t>(), std::optional<std::size_t>(0)}) {
-            QVERIFY(ui::ToolDialog::open_for(w().document(), tool, &w()));
-            QTest::qWait(60);
-            look();
-        }
-        QCOMPARE(seen, 6);
+        tour_window(w(), look);
+        tour_dialogs(w(), look);
+        found.removeDuplicates();
+        for (const QString& each : found)
+            qWarning().noquote() << each;
+        QVERIFY(found.isEmpty());
+    }
+
+    void words_of_all_pages_can_be_read_data() { words_can_be_read_data(); }
+    /// What labels and buttons really have for colours, wherever they stand.
+    void words_of_all_pages_can_be_read() {
+        QFETCH(bool, dark);
+        w().set_theme(dark ? ui::Theme::dark : ui::Theme::light);
+        QVERIFY(open_and_plan());
+        QStringList found;
+        const auto look = [&](QWidget& top, const QString& page) {
+            for (const QWidget* words : top.findChildren<QWidget*>()) {
+                const auto* label = qobject_cast<const QLabel*>(words);
+                const bool button = qobject_cast<const QAbstractButton*>(words);
+                if ((!label && !button) || !words->isVisible() || !words->isEnabled()) continue;
+                if (label && label->text().isEmpty()) continue;
+                const double ratio =
+                    contrast(words->palette().color(words->foregroundRole()), ground_of(*words));
+                if (ratio < 4.5) found << QStringLiteral("%1: %2 %3").arg(page, described(*words)).arg(ratio);
+            }
+        };
+        tour_window(w(), look);
+        tour_dialogs(w(), look);
+        w().set_theme(ui::Theme::system);
         found.removeDuplicates();
         for (const QString& each : found)
             qWarning().noquote() << each;
