@@ -169,7 +169,8 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     }
     if (!verifies) return result;
     const Progress verifying = progress.part(0.5, 1.0);
-    settings.max_samples = 400'000; // a picture shows no more
+    // A picture shows no more; of colours that are finer than the tolerance it does.
+    settings.max_samples = request.half_done ? 2'500'000 : 400'000;
     tell_work(settings, arguments, session);
     request.verification = std::make_shared<const Verification>(
         verify(*result.part->mesh, result.stock, programs, settings, verifying.part(0.0, 0.9)));
@@ -180,6 +181,40 @@ PlanResult shown_project(const Arguments& arguments, const Project& project, Ren
     return result;
 }
 
+/// Size, eye and colours.
+void take_looks(RenderRequest& request, const Arguments& arguments) {
+    const std::string view = arguments.value("--view", "iso");
+    if (view.find(',') != std::string::npos)
+        request.toward_eye = as_usage([&] { return parse_eye(view, "--view"); });
+    else
+        request.view = as_usage([&] { return parse_view(view, "--view"); });
+    const PictureSize size =
+        as_usage([&] { return parse_picture_size(arguments.value("--size", "1200x900"), "--size"); });
+    request.width = size.width;
+    request.height = size.height;
+    request.perspective = arguments.has("--perspective");
+    if (arguments.has("--dark")) request.palette = Palette::dark;
+    if (!arguments.has("--half-done")) return;
+    const double share = arguments.number("--half-done", 0.5);
+    if (!(share >= 0 && share <= 1))
+        throw Error(ErrorCode::usage, "--half-done",
+                    "'" + printable(arguments.value("--half-done")) + "' is no share",
+                    "give a number from 0 to 1");
+    request.half_done = share;
+}
+
+/// Colours of deviations finer or coarser than those of the tolerance: from half of `scale` missing to all of
+/// it standing.
+void take_scale(RenderRequest& request, const Arguments& arguments, LengthUnit unit) {
+    if (!arguments.has("--scale")) return;
+    const double scale = arguments.number("--scale", 1) * mm_per(unit);
+    if (!(scale > 0 && std::isfinite(scale)))
+        throw Error(ErrorCode::usage, "--scale",
+                    "'" + printable(arguments.value("--scale")) + "' is no length", "give a length above 0");
+    constexpr double within = 1.0 / 8; // of the scale, all of one green
+    request.deviation_scale = DeviationScale{-0.5 * scale, scale, within * scale, within * scale};
+}
+
 void run_render(const Arguments& arguments, Session& session) {
     if (arguments.value("--show") == "cspace") return render_cspace(arguments, session);
     if (arguments.has("--cl") && arguments.has("--op"))
@@ -188,11 +223,7 @@ void run_render(const Arguments& arguments, Session& session) {
         throw Error(ErrorCode::usage, "--point", "is for --show cspace", "leave it out");
     const std::string input = arguments.operand(0);
     RenderRequest request;
-    request.view = as_usage([&] { return parse_view(arguments.value("--view", "iso"), "--view"); });
-    const PictureSize size =
-        as_usage([&] { return parse_picture_size(arguments.value("--size", "1200x900"), "--size"); });
-    request.width = size.width;
-    request.height = size.height;
+    take_looks(request, arguments);
     const bool project_given = is_project(input);
     const std::string fallback = project_given ? "part,stock,cl" : "part";
     request.layers =
@@ -216,6 +247,7 @@ void run_render(const Arguments& arguments, Session& session) {
         const PlanResult result =
             shown_project(arguments, project, request, session, progress.part(0.0, 0.6));
         take_plan(request, project, result);
+        take_scale(request, arguments, project.unit);
     } else {
         for (const char* option : {"--op", "--cl", "--nc"})
             if (arguments.has(option))
@@ -256,9 +288,21 @@ Command render_command() {
             "alone: the configuration space of a contact point (--op and --point; else of the first finish5, "
             "the one\n"
             "in the middle). Of several setups the one of --setup or --op is shown, else the first. Views: "
-            "iso, front, top, right, rear, bottom, left.",
+            "iso, front, top, right, rear, bottom, left, or two angles.",
         .options = with_reading_options(
-            {{.name = "--view", .value = "VIEW", .help = "where to look from (default: iso)"},
+            {{.name = "--view",
+              .value = "VIEW",
+              .help = "where to look from (default: iso); or degrees from X towards Y and above the level, "
+                      "like -60,25"},
+             {.name = "--perspective", .help = "what is nearer is larger; without a scale bar"},
+             {.name = "--dark", .help = "on a dark ground"},
+             {.name = "--half-done",
+              .value = "SHARE",
+              .help = "the last operation at this share of its cuts, 0 to 1: deviations behind the tool, the "
+                      "cuts ahead"},
+             {.name = "--scale",
+              .value = "LENGTH",
+              .help = "colours of deviations up to this much left (default: by the tolerance)"},
              {.name = "--show",
               .value = "LAYERS",
               .help = "what to draw (default: part, of a project part,stock,cl)"},

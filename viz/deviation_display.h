@@ -22,7 +22,8 @@ struct DeviationDisplay {
     std::vector<float> areas;            ///< mm^2 each sample stands for: a third of its triangles
     DeviationScale scale;                ///< what `colors` were made with
     std::vector<std::uint8_t> colors;    ///< RGBA per sample
-    PartPreview preview;                 ///< for large surfaces only
+    std::vector<float> shown; ///< per sample; where less than 1 the part's own colour shows through; or none
+    PartPreview preview;      ///< for large surfaces only
     std::vector<float>
         preview_deviation; ///< mean of what each vertex stands for; NaN where nothing is judged
     std::vector<std::uint8_t> preview_colors;

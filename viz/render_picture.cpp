@@ -1,10 +1,12 @@
 #include "viz/render_picture.h"
 
+#include "viz/half_done.h"
 #include "viz/offscreen.h"
 #include "viz/strip_display.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace facetmill {
 
@@ -38,6 +40,12 @@ std::optional<CutterLocation> middle_cut(const RenderRequest& request) {
     return std::nullopt;
 }
 
+/// What is up on the screen as one looks: Z, or Y from straight above.
+Vec3 upright_for(const Vec3& toward_eye) {
+    constexpr double straight = 0.9999;
+    return std::abs(toward_eye.z()) < straight ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY());
+}
+
 std::string trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};
@@ -61,11 +69,73 @@ void take_plan(RenderRequest& request, const Project& project, const PlanResult&
         if (tool.number == number) request.tool = tool;
 }
 
+namespace {
+
+bool wants(const RenderRequest& request, Layer layer) {
+    return std::find(request.layers.begin(), request.layers.end(), layer) != request.layers.end();
+}
+
+void show_paths(Scene& scene, const RenderRequest& request, const Progress& progress) {
+    if (wants(request, Layer::cc) || wants(request, Layer::cl)) {
+        std::vector<PathSource> sources;
+        for (const auto& operation : request.operations)
+            sources.push_back(path_source(operation));
+        scene.paths().set(prepare_path_display(std::move(sources), progress.part(0.4, 0.6)));
+    }
+    if (!wants(request, Layer::tool)) return;
+    scene.tool().set(request.tool);
+    scene.tool().set_pose(request.pose ? request.pose : middle_cut(request));
+}
+
+/// The last operation alone: what came before it is under its colours.
+void show_half_done(Scene& scene, const RenderRequest& request, const DeviationDisplayPtr& deviation,
+                    const Progress& progress) {
+    if (!deviation || request.operations.empty())
+        throw Error(ErrorCode::empty_result, "--half-done", "there are no deviations",
+                    "show the layer deviation of a project with an operation");
+    HalfDone half = half_done(request.operations.back(), *deviation->surface, *request.half_done,
+                              progress.part(0.4, 0.5));
+    auto shown = std::make_shared<DeviationDisplay>(*deviation);
+    shown->shown = std::move(half.done);
+    scene.deviation().set(std::move(shown));
+    scene.tool().set(request.tool);
+    scene.tool().set_pose(half.pose);
+    // Of the path what makes the surface: the ways there would be a knot of lines over it.
+    for (const MotionKind kind :
+         {MotionKind::rapid, MotionKind::approach, MotionKind::link, MotionKind::retract})
+        scene.paths().set_visible(kind, false);
+    scene.paths().set(prepare_path_display({half.ahead}, progress.part(0.5, 0.6)));
+}
+
+/// The part as large as it may be while the tool is in the picture: a box around both would be much larger
+/// than either.
+void fit_half_done(Scene& scene) {
+    scene.fit();
+    SceneCamera& camera = scene.camera();
+    const Eigen::Vector2i size = camera.window_size();
+    const Box3 tool = scene.tool().bounds();
+    const double margin = 0.02 * size.y();
+    const auto inside = [&] {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec2 at = camera.display_of({corner & 1 ? tool.hi.x() : tool.lo.x(),
+                                               corner & 2 ? tool.hi.y() : tool.lo.y(),
+                                               corner & 4 ? tool.hi.z() : tool.lo.z()});
+            if (at.x() < margin || at.y() < margin || at.x() > size.x() - margin
+                || at.y() > size.y() - margin)
+                return false;
+        }
+        return true;
+    };
+    constexpr double step = 0.97;
+    for (int tries = 0; tries < 40 && !tool.empty() && !inside(); ++tries)
+        camera.zoom_at(0.5 * size.x(), size.y(), step); // from the lower edge: tools reach upward
+}
+
+} // namespace
+
 Picture render_picture(const RenderRequest& request, const Progress& progress) {
     check_picture_size(request.width, request.height, "--size");
-    const auto wanted = [&](Layer layer) {
-        return std::find(request.layers.begin(), request.layers.end(), layer) != request.layers.end();
-    };
+    const auto wanted = [&](Layer layer) { return wants(request, layer); };
     Scene scene;
     scene.set_palette(request.palette);
     scene.set_unit(request.unit);
@@ -74,11 +144,18 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
     scene.stock().set(make_stock_shape(request.stock, progress));
     scene.stock().set_cut(request.cut_stock);
     scene.fixtures().set(request.fixtures);
+    DeviationDisplayPtr deviation;
     if (wanted(Layer::deviation) && request.verification && request.verification->surface)
-        scene.deviation().set(prepare_deviation_display(
+        deviation = prepare_deviation_display(
             request.verification->surface,
             request.deviation_scale.value_or(default_scale(*request.verification, request.unit)),
-            progress.part(0.4, 0.4)));
+            progress.part(0.4, 0.4));
+    if (request.half_done) {
+        show_half_done(scene, request, deviation, progress);
+    } else {
+        scene.deviation().set(deviation);
+        show_paths(scene, request, progress);
+    }
     if (wanted(Layer::findings) && request.verification)
         scene.findings().set(finding_marks(*request.verification));
     if (wanted(Layer::strips)) {
@@ -86,16 +163,6 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
         for (const auto& operation : request.operations)
             strips.insert(strips.end(), operation->path.strips.begin(), operation->path.strips.end());
         scene.strips().set(prepare_strip_display(strips, request.unit, progress));
-    }
-    if (wanted(Layer::cc) || wanted(Layer::cl)) {
-        std::vector<PathSource> sources;
-        for (const auto& operation : request.operations)
-            sources.push_back(path_source(operation));
-        scene.paths().set(prepare_path_display(std::move(sources), progress.part(0.4, 0.6)));
-    }
-    if (wanted(Layer::tool)) {
-        scene.tool().set(request.tool);
-        scene.tool().set_pose(request.pose ? request.pose : middle_cut(request));
     }
     for (const Layer layer : {Layer::part, Layer::edges, Layer::stock, Layer::deviation, Layer::findings,
                               Layer::strips, Layer::cc, Layer::cl, Layer::tool}) {
@@ -110,14 +177,25 @@ Picture render_picture(const RenderRequest& request, const Progress& progress) {
                                                   : "give a part, or a project with stock");
         }
     }
-    scene.set_title(request.title, request.subtitle.empty() && request.part
-                                       ? size_text(request.part, request.unit)
-                                       : request.subtitle);
+    std::string subtitle = request.subtitle;
+    if (subtitle.empty() && request.part) subtitle = size_text(request.part, request.unit);
+    if (request.half_done) subtitle += " \u00b7 behind the tool what is left, ahead what is to be cut";
+    scene.set_title(request.title, subtitle);
     progress.set(0.6);
     OffscreenWindow window;
     window.show(scene, request.width, request.height);
     scene.set_view(request.view);
-    if (wanted(Layer::tool)) scene.fit(true);
+    scene.camera().set_perspective(request.perspective);
+    if (request.toward_eye) {
+        CameraPlace place = scene.camera().place();
+        place.toward_eye = *request.toward_eye;
+        place.up = upright_for(place.toward_eye);
+        scene.camera().look_at(place);
+    }
+    if (request.half_done)
+        fit_half_done(scene);
+    else
+        scene.fit(wanted(Layer::tool));
     progress.set(0.7);
     Picture picture = window.render();
     progress.set(1.0);
@@ -157,6 +235,23 @@ std::vector<Layer> parse_picture_layers(std::string_view text, const std::string
         if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
     }
     return layers;
+}
+
+Vec3 parse_eye(std::string_view text, const std::string& where) {
+    const std::size_t comma = text.find(',');
+    const auto number = [&](std::string_view digits) {
+        const std::string word = trimmed(digits);
+        double value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error != std::errc() || end != word.data() + word.size() || !(std::abs(value) <= 360))
+            throw Error(ErrorCode::out_of_range, where, "'" + printable(text) + "' is no direction",
+                        "give AZIMUTH,ELEVATION in degrees, like -60,25");
+        return radians(value);
+    };
+    const double azimuth = number(text.substr(0, comma));
+    const double elevation = number(comma == std::string_view::npos ? "" : text.substr(comma + 1));
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
 }
 
 PictureSize parse_picture_size(std::string_view text, const std::string& where) {

@@ -26,7 +26,11 @@ struct RenderRequest {
     std::optional<Tool> tool;                                  ///< drawn in the layer `tool` ...
     std::optional<CutterLocation> pose; ///< ... here; without it at the middle cut of the last operation
     std::vector<Layer> layers{Layer::part};
+    /// The last operation at this share of its cuts, 0 to 1: deviations behind the tool, the cuts ahead.
+    std::optional<double> half_done;
     StandardView view = StandardView::iso;
+    std::optional<Vec3> toward_eye; ///< instead of it; a unit vector, Z is up
+    bool perspective = false;
     PartStyle part_style = PartStyle::smooth;
     Palette palette = Palette::light;
     LengthUnit unit = LengthUnit::mm;
@@ -61,6 +65,10 @@ std::vector<Layer> parse_picture_layers(std::string_view text, const std::string
 struct PictureSize {
     int width = 0, height = 0;
 };
+/// "-60,25": a unit vector towards the eye, by the degrees from X towards Y and above the level. Throws
+/// Error(out_of_range) that names `where`.
+Vec3 parse_eye(std::string_view text, const std::string& where);
+
 /// "1200x900". Throws Error(out_of_range) that names `where`.
 PictureSize parse_picture_size(std::string_view text, const std::string& where);
 

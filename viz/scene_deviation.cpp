@@ -8,6 +8,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace facetmill {
@@ -45,6 +46,15 @@ void SceneDeviation::set(DeviationDisplayPtr deviation) {
 }
 
 void SceneDeviation::color() {
+    if (deviation_ && deviation_->shown.size() * 4 == rgba_.size()) {
+        const Rgb& part = colors_of(stage_.palette).part;
+        const std::array<double, 3> plain{255 * part.r, 255 * part.g, 255 * part.b};
+        for (std::size_t i = 0; i < deviation_->shown.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                std::uint8_t& c = rgba_[4 * i + k];
+                c = std::uint8_t(plain[k] + (double(c) - plain[k]) * double(deviation_->shown[i]) + 0.5);
+            }
+    }
     set_point_colors(data_, rgba_);
     if (!preview_.filled) return;
     const vtkSmartPointer<vtkPolyData> preview = preview_.mapper->GetInput();
