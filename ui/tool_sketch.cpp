@@ -3,6 +3,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "viz/palette.h"
+#include "viz/tool_shape.h"
 
 #include <QPainter>
 
@@ -158,7 +159,8 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
 
     const QPen outline(c.ink, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     double z = cutter_height_;
-    const auto cylinder = [&](double diameter, double height, const QColor& color) {
+    const auto cone = [&](double lower, double upper, double height, const QColor& color) {
+        const double diameter = std::max(lower, upper);
         if (diameter <= 0 || height <= 0) return;
         QLinearGradient shade(-diameter / 2 * scale, 0, diameter / 2 * scale, 0);
         shade.setColorAt(0, color.darker(125));
@@ -166,14 +168,16 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
         shade.setColorAt(1, color.darker(135));
         p.setBrush(shade);
         p.setPen(outline);
-        p.drawRect(QRectF(-diameter / 2 * scale, -(z + height) * scale, diameter * scale, height * scale));
+        const double low = -z * scale, high = -(z + height) * scale;
+        p.drawPolygon(QPolygonF({QPointF(-lower / 2 * scale, low), QPointF(lower / 2 * scale, low),
+                                 QPointF(upper / 2 * scale, high), QPointF(-upper / 2 * scale, high)}));
         z += height;
     };
     const double shank_from = z;
-    cylinder(tool_.shank_diameter, tool_.shank_length, c.shank);
+    cone(tool_.shank_diameter, tool_.shank_diameter, tool_.shank_length, c.shank);
     const double holder_from = z;
-    for (const HolderSection& h : tool_.holder)
-        cylinder(h.diameter, h.length, c.holder);
+    for (const HolderPiece& h : holder_pieces(tool_.holder))
+        cone(h.lower, h.upper, h.length, c.holder);
     QLinearGradient shade(-cutter_radius_ * scale, 0, cutter_radius_ * scale, 0);
     shade.setColorAt(0, c.cutter.darker(125));
     shade.setColorAt(0.35, c.cutter.lighter(110));

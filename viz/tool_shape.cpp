@@ -1,13 +1,16 @@
 #include "viz/tool_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace facetmill {
 
 namespace {
 
-constexpr int around = 96;        // facets on a turn
-constexpr double arc_step = 0.06; // radians of an arc of the profile
+constexpr int around = 96;         // facets on a turn
+constexpr double arc_step = 0.06;  // radians of an arc of the profile
+constexpr double same_step = 1e-6; // mm: steps of one cone
 
 /// A stretch of the outline with its outward normals: smooth inside, a corner at either end.
 struct Stretch {
@@ -83,7 +86,75 @@ void add_cylinder(std::vector<Stretch>& outline, double radius, double bottom, d
     outline.push_back(line({radius, top}, {0.0, top}));
 }
 
+/// How many of the sections from `first` are steps of one cone: equally long, and each as much wider, or
+/// narrower, than the one before.
+std::size_t steps_of_cone(const std::vector<HolderSection>& sections, std::size_t first) {
+    constexpr double largest_step = 1; // mm, of the radius
+    std::size_t end = first + 1;
+    while (end < sections.size()) {
+        const double grow = sections[first + 1].diameter - sections[first].diameter;
+        const bool goes_on =
+            std::abs(sections[end].length - sections[first].length) <= same_step
+            && std::abs(sections[end].diameter - sections[end - 1].diameter - grow) <= same_step;
+        if (!goes_on || std::abs(grow) / 2 > largest_step + same_step || std::abs(grow) <= same_step) break;
+        ++end;
+    }
+    return end - first;
+}
+
+void add_cone(std::vector<Stretch>& outline, const HolderPiece& piece, double bottom) {
+    const Vec2 low(piece.lower / 2, bottom), high(piece.upper / 2, bottom + piece.length);
+    if (low.x() > 0) outline.push_back(line({0.0, low.y()}, low));
+    outline.push_back(line(low, high));
+    if (high.x() > 0) outline.push_back(line(high, {0.0, high.y()}));
+}
+
 } // namespace
+
+std::vector<HolderPiece> holder_pieces(const std::vector<HolderSection>& all) {
+    std::vector<HolderSection> sections;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(sections),
+                 [](const HolderSection& s) { return s.diameter > 0 && s.length > 0; });
+    std::vector<HolderPiece> pieces;
+    constexpr std::size_t min_steps = 3; // fewer may be anything
+    for (std::size_t i = 0; i < sections.size();) {
+        const HolderSection& s = sections[i];
+        const std::size_t steps = steps_of_cone(sections, i);
+        if (steps < min_steps) {
+            pieces.push_back({s.diameter, s.diameter, s.length});
+            ++i;
+            continue;
+        }
+        // Each step is as wide as the cone at its wider end, and the widest may have become one with a
+        // cylinder beside it.
+        const double grow = sections[i + 1].diameter - s.diameter, step = s.length;
+        const double last = sections[i + steps - 1].diameter;
+        HolderPiece cone{s.diameter, last, double(steps) * step};
+        const auto takes_from = [&](double diameter, double length, double wanted) {
+            return std::abs(diameter - wanted) <= same_step && length > step + same_step;
+        };
+        if (grow > 0) {
+            cone.lower = std::max(0.0, s.diameter - grow);
+            if (i + steps < sections.size()
+                && takes_from(sections[i + steps].diameter, sections[i + steps].length, last + grow)) {
+                sections[i + steps].length -= step;
+                cone.upper += grow;
+                cone.length += step;
+            }
+        } else {
+            cone.upper = std::max(0.0, last + grow);
+            if (!pieces.empty() && pieces.back().lower == pieces.back().upper
+                && takes_from(pieces.back().upper, pieces.back().length, s.diameter - grow)) {
+                pieces.back().length -= step;
+                cone.lower -= grow;
+                cone.length += step;
+            }
+        }
+        pieces.push_back(cone);
+        i += steps;
+    }
+    return pieces;
+}
 
 ToolShape make_tool_shape(const Tool& tool) {
     const CutterProfile profile(tool.cutter());
@@ -107,11 +178,10 @@ ToolShape make_tool_shape(const Tool& tool) {
         shape.radius = std::max(shape.radius, tool.shank_diameter / 2);
     }
     outline.clear();
-    for (const HolderSection& section : tool.holder) {
-        if (!(section.diameter > 0.0) || !(section.length > 0.0)) continue;
-        add_cylinder(outline, section.diameter / 2, shape.length, shape.length + section.length);
-        shape.length += section.length;
-        shape.radius = std::max(shape.radius, section.diameter / 2);
+    for (const HolderPiece& piece : holder_pieces(tool.holder)) {
+        add_cone(outline, piece, shape.length);
+        shape.length += piece.length;
+        shape.radius = std::max({shape.radius, piece.lower / 2, piece.upper / 2});
     }
     shape.holder = revolve(outline);
     return shape;

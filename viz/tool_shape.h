@@ -21,6 +21,14 @@ struct ToolShape {
     double length = 0, radius = 0;       ///< size of the whole tool
 };
 
+/// A piece of a holder as it is drawn, from the shank upward; diameters below and above, mm.
+struct HolderPiece {
+    double lower = 0, upper = 0, length = 0;
+};
+/// Sections that are the steps of a cone (holder_steps of core/tools), which stand out of it by up to a
+/// millimetre, are that cone again; others are cylinders. Empty sections are left out.
+std::vector<HolderPiece> holder_pieces(const std::vector<HolderSection>& sections);
+
 /// Throws Error(out_of_range) where the tool's values make no cutter.
 ToolShape make_tool_shape(const Tool& tool);
 

@@ -1,4 +1,5 @@
 // What is handed to the graphics card: parts, paths and tools as flat arrays.
+#include "core/tools/tool_library.h"
 #include "tests/screenshot/scene_parts.h"
 #include "tests/support/test_runner.h"
 #include "viz/part_display.h"
@@ -392,6 +393,35 @@ private slots:
         QVERIFY(examine(make_tool_shape(tool).cutter).min_dot > 0.95);
         tool.diameter = -1;
         QVERIFY_EXCEPTION_THROWN(make_tool_shape(tool), Error);
+    }
+
+    /// What the library of tools made steps of is drawn as the cones that it was.
+    void holders_have_their_cones_again() {
+        const std::vector<HolderCone> outline{
+            {6, 20, 20}, {10, 20, 28}, {5, 28, 28}, {12, 40, 40}, {9, 40, 32}};
+        Tool tool;
+        tool.diameter = 10;
+        tool.flute_length = 20;
+        tool.shank_length = 0;
+        tool.holder = holder_steps(outline);
+        QVERIFY(tool.holder.size() > outline.size());
+        const auto pieces = holder_pieces(tool.holder);
+        QCOMPARE(pieces.size(), outline.size());
+        double volume = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            QVERIFY(std::abs(pieces[i].lower - outline[i].lower_diameter) < 1e-9);
+            QVERIFY(std::abs(pieces[i].upper - outline[i].upper_diameter) < 1e-9);
+            QVERIFY(std::abs(pieces[i].length - outline[i].length) < 1e-9);
+            const double a = pieces[i].lower / 2, b = pieces[i].upper / 2;
+            volume += pi * pieces[i].length * (a * a + a * b + b * b) / 3;
+        }
+        const ShapeCheck drawn = examine(make_tool_shape(tool).holder);
+        QVERIFY2(std::abs(drawn.volume - volume) < 0.005 * volume, qPrintable(QString::number(drawn.volume)));
+        QVERIFY(drawn.min_dot > 0.95);
+        // Two steps may be anything, and so may high ones.
+        QCOMPARE(holder_pieces({{20, 5}, {21, 5}}).size(), std::size_t(2));
+        QCOMPARE(holder_pieces({{20, 10}, {30, 10}, {40, 10}}).size(), std::size_t(3));
+        QCOMPARE(holder_pieces({{20, 10}, {0, 10}, {20, 0}}).size(), std::size_t(1));
     }
 };
 
