@@ -58,7 +58,9 @@ public:
     }
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
         if (metric == PM_SmallIconSize && widget)
-            if (const QVariant own = widget->property(menu_icon_property); own.isValid()) return own.toInt();
+            if (const QVariant own = widget->property(menu_icon_property);
+                own.isValid() && !is_sign(option, own.toInt()))
+                return own.toInt();
         return QProxyStyle::pixelMetric(metric, option, widget);
     }
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
@@ -67,7 +69,7 @@ public:
         const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
         if (type != CT_MenuItem || !item || item->icon.isNull() || !widget) return size;
         const QVariant wide = widget->property(menu_icon_property);
-        if (!wide.isValid()) return size;
+        if (!wide.isValid() || is_sign(option, wide.toInt())) return size;
         constexpr int around = 6;
         const int high = item->icon.actualSize(QSize(wide.toInt(), wide.toInt())).height() + around;
         return {size.width(), std::max(size.height(), high)};
@@ -89,6 +91,13 @@ public:
         else
             painter->drawEllipse(box);
         painter->restore();
+    }
+
+private:
+    /// An entry of a menu with an icon that is as high as it is wide: a sign beside pictures, and small.
+    static bool is_sign(const QStyleOption* option, int width) {
+        const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+        return item && !item->icon.isNull() && item->icon.actualSize(QSize(width, width)).height() >= width;
     }
 };
 

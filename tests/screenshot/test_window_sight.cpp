@@ -197,8 +197,12 @@ private slots:
                 shot(*menu, QStringLiteral("sight-operations-%1-%2")
                                 .arg(menu == add->menu() ? QStringLiteral("add") : QStringLiteral("menu"))
                                 .arg(ui::theme_name(theme)));
+                const QAction* last = menu->actions().back();
+                const int sign = menu->actionGeometry(const_cast<QAction*>(last)).height();
                 menu->close();
                 QVERIFY2(height > 38, qPrintable(QString::number(height)));
+                // Signs beside them are as small as elsewhere.
+                if (menu == add->menu()) QVERIFY2(sign < 30, qPrintable(QString::number(sign)));
             }
         w().set_theme(ui::Theme::system);
     }
