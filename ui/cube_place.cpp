@@ -12,8 +12,8 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr int margin = 8, scale_bar = 52;      // points
-constexpr int min_width = 260, min_free = 100; // of a view with a cube, points
+constexpr int cube_margin = 8, scale_bar = 52; // points
+constexpr int min_width = 260, min_free = 140; // of a view with a cube, points
 
 } // namespace
 
@@ -32,10 +32,10 @@ void CubePlace::update() {
     };
     const int width = viewport_.width(), height = viewport_.height();
     int below = scale_bar;
-    cube_.move(width - cube_.width() - margin, height - cube_.height() - below);
+    cube_.move(width - cube_.width() - cube_margin, height - cube_.height() - below);
     for (const QWidget* other : others) // a message along the lower edge
         if (blocks(other) && other->geometry().bottom() >= height - 1)
-            below = std::max(below, height - other->y() + margin);
+            below = std::max(below, height - other->y() + cube_margin);
     cube_.move(cube_.x(), height - cube_.height() - below);
     const bool free = width > min_width && height > min_free + cube_.height() + below - scale_bar
                       && std::none_of(others.begin(), others.end(), blocks);
