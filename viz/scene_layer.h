@@ -55,7 +55,7 @@ struct SceneStage {
     double ratio = 1;
     double line_scale = 1;
     double line_ratio() const { return ratio * line_scale; } ///< pixels of a line of width 1
-    bool moving = false; ///< large things are drawn coarsely
+    bool moving = false;                                     ///< large things are drawn coarsely
     std::vector<bool> layers_on;
 };
 

@@ -61,6 +61,7 @@ void tour_window(ui::MainWindow& window, const Look& look) {
         seen(QStringLiteral("fixture %1").arg(fixture->text()));
         while (window.document().undo_stack().index() > steps)
             window.document().undo_stack().undo();
+        (void)wait_until_settled(window); // nothing can be added until the part is read with what there is
     }
     for (QAction* boundary : window.tree().add_boundary_menu()->actions()) {
         const int steps = window.document().undo_stack().index();
@@ -68,6 +69,7 @@ void tour_window(ui::MainWindow& window, const Look& look) {
         seen(QStringLiteral("boundary %1").arg(boundary->text()));
         while (window.document().undo_stack().index() > steps)
             window.document().undo_stack().undo();
+        (void)wait_until_settled(window); // nothing can be added until the part is read with what there is
     }
     window.tree().select({Kind::operation, 0});
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
