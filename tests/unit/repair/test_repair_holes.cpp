@@ -103,7 +103,8 @@ private slots:
         double off = 0;
         for (const Vec3& p : smooth.mesh->vertices)
             off = std::max(off, std::abs(p.norm() - 20));
-        QVERIFY2(off < 0.2, qPrintable(QString::number(off))); // the lid is 0.8 mm high
+        // The lid is 0.8 mm high; 0.152 mm is what the least sum of squared Laplacians is off there.
+        QVERIFY2(off < 0.16, qPrintable(QString::number(off)));
         const double whole_volume = report_of_mesh(sphere).file_volume;
         QVERIFY(whole_volume - report_of_mesh(*flat.mesh).file_volume
                 > 2 * std::abs(whole_volume - report_of_mesh(*smooth.mesh).file_volume));

@@ -71,7 +71,8 @@ private slots:
         QVERIFY(r.mesh->facets == sphere.facets);
         const double before = root_mean_square(sphere.vertices, 30),
                      after = root_mean_square(r.mesh->vertices, 30);
-        QVERIFY2(after < 0.6 * before, qPrintable(QString("%1 %2").arg(before).arg(after)));
+        // Waves longer than about six edges are taken for the shape and stay: 0.39 is measured.
+        QVERIFY2(after < 0.45 * before, qPrintable(QString("%1 %2").arg(before).arg(after)));
     }
 
     void a_clean_cube_is_left_to_the_last_bit() {
@@ -94,8 +95,10 @@ private slots:
             before += std::pow(brute_distance(cube.vertices[v], cube_mesh(20)), 2);
             after += std::pow(brute_distance(r.mesh->vertices[v], cube_mesh(20)), 2);
         }
-        QVERIFY2(corner < 0.15, qPrintable(QString::number(corner)));
-        QVERIFY2(after < 0.5 * before, qPrintable(QString("%1 %2").arg(before).arg(after)));
+        // The corner, where three edges meet, stays where the noise has put it: by 0.06 along each axis.
+        QVERIFY2(corner <= 0.06 * std::sqrt(3.0), qPrintable(QString::number(corner)));
+        // Of squares: 0.135 is measured.
+        QVERIFY2(after < 0.2 * before, qPrintable(QString("%1 %2").arg(before).arg(after)));
     }
 
     void borders_of_a_sheet_stay() {
@@ -128,13 +131,30 @@ private slots:
         }
     }
 
+    void noise_of_the_size_of_the_bound_takes_several_rounds() {
+        std::size_t most = 0;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            const DirtyScan scan = dirty_scan(16, 0.4, 0, 0, seed);
+            const Repaired r = repaired(scan.mesh, {bounded(Kind::decimate, 0.5)});
+            most = std::max(most, r.steps[0].count("attempts"));
+            QVERIFY(r.mesh->facet_count() < scan.mesh.facet_count());
+            const double off =
+                std::max(brute_deviation(scan.mesh, *r.mesh), brute_deviation(*r.mesh, scan.mesh));
+            QVERIFY2(off <= r.steps[0].displacement + 1e-9, qPrintable(QString::number(off)));
+            QVERIFY(r.steps[0].displacement <= 0.5);
+            QVERIFY(report_of_mesh(*r.mesh).watertight);
+        }
+        QVERIFY2(most > 1, qPrintable(QString::number(most)));
+    }
+
     void a_gridded_cube_loses_what_says_nothing() {
         const Mesh cube = gridded_cube(10, 20);
         const Repaired r = repaired(cube, {bounded(Kind::decimate, 1e-3)});
-        QVERIFY(r.mesh->facet_count() <= 60);
+        // Twelve would do; 48 is what a greedy order comes to.
+        QVERIFY(r.mesh->facet_count() <= 48);
         const MeshReport report = report_of_mesh(*r.mesh);
         QVERIFY(report.watertight);
-        QVERIFY(std::abs(report.file_volume - 8000) < 0.5);
+        QVERIFY(std::abs(report.file_volume - 8000) < 1e-6);
     }
 
     void holes_and_borders_keep_their_course() {
@@ -142,7 +162,7 @@ private slots:
             return Vec3(20 * a, 20 * b, 0.5 * std::sin(3 * a + b));
         });
         const Repaired r = repaired(sheet, {bounded(Kind::decimate, 0.05)});
-        QVERIFY(r.mesh->facet_count() < sheet.facet_count() / 2);
+        QVERIFY(r.mesh->facet_count() < sheet.facet_count() / 40);
         QVERIFY(brute_deviation(sheet, *r.mesh) <= 0.05);
         QVERIFY(brute_deviation(*r.mesh, sheet) <= 0.05);
     }
@@ -166,7 +186,7 @@ private slots:
         const std::size_t before = count_needles(mesh);
         QVERIFY(before >= 50);
         const Repaired r = repaired(mesh, {bounded(Kind::needles, 0.05)});
-        QVERIFY(count_needles(*r.mesh) * 10 < before);
+        QCOMPARE(count_needles(*r.mesh), std::size_t(0));
         QVERIFY(report_of_mesh(*r.mesh).watertight);
         QVERIFY(r.steps[0].displacement <= 0.05);
         QVERIFY(brute_deviation(mesh, *r.mesh) <= r.steps[0].displacement + 1e-9);
@@ -209,7 +229,7 @@ private slots:
             QVERIFY(report_of_mesh(*rest.mesh).watertight);
             QVERIFY(std::abs(report_of_mesh(*r.mesh).file_volume + report_of_mesh(*rest.mesh).file_volume
                              - report_of_mesh(mesh).file_volume)
-                    < 0.05);
+                    < 1e-4); // new vertices are floats
         }
     }
 
