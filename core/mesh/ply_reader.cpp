@@ -1,12 +1,13 @@
 // PLY, ASCII and binary of both byte orders: any elements, properties and number types in any order. The
-// element `vertex` must have x, y, z; the element `face` a list `vertex_indices` or `vertex_index`.
-// Everything else is passed over.
+// element `vertex` must have x, y, z; the element `face`, or `tristrips` where there is none, a list
+// `vertex_indices` or `vertex_index`. Everything else is passed over.
 #include "core/mesh/mesh_format.h"
 #include "core/mesh/ply_header.h"
 
 #include "core/base/error.h"
 #include "core/base/units.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -35,10 +36,8 @@ public:
     TriangleSoup run(const Progress& progress) {
         const PlyElement* vertex = header_.find("vertex");
         const PlyElement* face = header_.find("face");
+        if (!face) face = header_.find("tristrips");
         if (!vertex || !face) {
-            if (header_.find("tristrips"))
-                throw Error(ErrorCode::not_triangles, source_.name, "the facets are stored as strips",
-                            "export the part with faces");
             throw Error(ErrorCode::no_facets, source_.name,
                         vertex ? "the file holds points but no face" : "the file holds no vertices",
                         "export the part as triangles");
@@ -48,6 +47,7 @@ public:
         if (face->count == 0)
             throw Error(ErrorCode::no_facets, source_.name, "the file holds no face",
                         "export the part as triangles");
+        facets_ = face;
         for (std::size_t i = 0; i < header_.elements.size(); ++i) {
             const double n = double(header_.elements.size());
             read_element(header_.elements[i], progress.part(0.9 * double(i) / n, 0.9 * double(i + 1) / n));
@@ -163,7 +163,8 @@ private:
     }
 
     void read_element(const PlyElement& element, const Progress& progress) {
-        const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+        const bool is_vertex = element.name == "vertex", is_face = &element == facets_;
+        const bool is_strip = is_face && element.name == "tristrips";
         int axis_of[3] = {-1, -1, -1};
         int list_of = -1;
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -201,7 +202,8 @@ private:
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
                 if (property.list && int(p) == list_of) {
-                    read_face(element, i, property, progress);
+                    is_strip ? read_strip(element, i, property, progress)
+                             : read_face(element, i, property, progress);
                 } else if (property.list) {
                     skip_list(element, i, property, progress);
                 } else {
@@ -250,6 +252,35 @@ private:
         if (length * each > source_.bytes.size() - cursor_.position)
             fail_truncated(place(element, i), "the file ends inside a list of " + std::to_string(length));
         return length;
+    }
+
+    /// Triangles of three vertices in a row, every second one the other way round; -1 begins anew.
+    void read_strip(const PlyElement& element, std::uint64_t i, const PlyProperty& property,
+                    const Progress& progress) {
+        const std::uint64_t length = list_length(element, i, property);
+        std::array<Index, 2> before{};
+        std::size_t in_strip = 0;
+        for (std::uint64_t k = 0; k < length; ++k) {
+            if ((k & 0xFFFF) == 0xFFFF) progress.check();
+            const double v = value(property.type, element, i);
+            if (v == -1) {
+                in_strip = 0;
+                continue;
+            }
+            if (!(v >= 0 && v < double(find_vertex_count()) && v == std::floor(v)))
+                fail_at(ErrorCode::syntax, element, i,
+                        "a strip names vertex " + format_number(v) + ", the file has "
+                            + std::to_string(find_vertex_count()) + " (from 0)");
+            const Index next = Index(v);
+            if (in_strip >= 2 && before[0] != before[1] && next != before[0] && next != before[1]) {
+                const bool turned = in_strip % 2 == 1;
+                for (const Index corner : {before[turned ? 1 : 0], before[turned ? 0 : 1], next})
+                    mesh_.corners.push_back(corner);
+                mesh_.sizes.push_back(3);
+            }
+            before = {before[1], next};
+            ++in_strip;
+        }
     }
 
     void read_face(const PlyElement& element, std::uint64_t i, const PlyProperty& property,
@@ -311,6 +342,7 @@ private:
     const PlyEncoding encoding_;
     TextCursor cursor_;
     std::optional<std::uint64_t> vertex_count_;
+    const PlyElement* facets_ = nullptr; ///< faces, or strips
     PlyMesh mesh_;
     TriangleSoup soup_;
 };
