@@ -12,7 +12,7 @@ namespace facetmill {
 
 namespace {
 
-constexpr std::size_t facets_per_write = 16384, record = 50, written_header_size = 84;
+constexpr std::size_t facets_per_write = 16384, stl_record_bytes = 50, written_header_size = 84;
 
 void put_word(char* to, std::uint32_t word) {
     for (int i = 0; i < 4; ++i)
@@ -33,14 +33,14 @@ StlStream::StlStream(OutputFile& file, LengthUnit unit)
     const std::string title = "facetmill binary STL, " + std::string(unit_name(unit));
     std::memcpy(header.data(), title.data(), title.size());
     file_->write({header.data(), header.size()});
-    buffer_.reserve(facets_per_write * record);
+    buffer_.reserve(facets_per_write * stl_record_bytes);
 }
 
 void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t attribute) {
     if (++count_ >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::too_large, name_, "an STL file holds at most 4 294 967 294 facets",
                     "write the part in pieces");
-    std::array<char, record> bytes{};
+    std::array<char, stl_record_bytes> bytes{};
     const Vec3 cross = (b - a).cross(c - a);
     const double length = cross.norm();
     put_vector(bytes.data(), length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero()));
@@ -52,10 +52,10 @@ void StlStream::add(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t a
                         "nothing was written");
         put_vector(bytes.data() + 12 + 12 * k, corner);
     }
-    bytes[record - 2] = char(attribute & 0xFF);
-    bytes[record - 1] = char(attribute >> 8);
+    bytes[stl_record_bytes - 2] = char(attribute & 0xFF);
+    bytes[stl_record_bytes - 1] = char(attribute >> 8);
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (buffer_.size() >= facets_per_write * record) flush();
+    if (buffer_.size() >= facets_per_write * stl_record_bytes) flush();
 }
 
 void StlStream::flush() {
