@@ -64,13 +64,13 @@ void Decimator::repeat(const DecimationLog& log, const std::vector<char>& held_n
         if (++done % collapses_per_check == 0) progress.set(double(done) / double(log.collapses.size()));
         const Vertex u{int(c.from)}, v{int(c.into)};
         if (half_.status(u).deleted() || half_.status(v).deleted()) continue;
-        if (!is_changed(u) && !is_changed(v)) {
-            // All around is as it was: the edge is there, and may go.
-            if (!collect(u, v, c.to) || !place_points(u, v)) continue;
-            collapse(half_.find_halfedge(u, v), c.to);
-        } else {
+        // Where all around is as it was, the edge is there, and may go.
+        const bool as_before = !is_changed(u) && !is_changed(v);
+        const Halfedge h = as_before ? half_.find_halfedge(u, v) : Halfedge();
+        if (h.is_valid() && collect(u, v, c.to) && place_points(u, v))
+            collapse(h, c.to);
+        else
             changed_[id(u)] = changed_[id(v)] = 1;
-        }
     }
 }
 
