@@ -17,6 +17,9 @@ const double max_entry_turn = radians(45);
 /// not serve either.
 constexpr double beside = 4;
 const double beside_turn = radians(10);
+/// Where something stood behind a place it is asked about again when so many more have been cut: they may
+/// have taken it away.
+constexpr std::size_t asked_again_after = 200;
 
 } // namespace
 
@@ -32,8 +35,14 @@ void EntryPlaces::add(const CutterLocation& at) {
 }
 
 bool EntryPlaces::is_free(Place& place) const {
-    if (place.free == Free::unknown) place.free = stock_.free_behind(place.at) ? Free::yes : Free::no;
-    return place.free == Free::yes;
+    if (place.free || !asks_again(place)) return place.free;
+    place.asked = places_.size();
+    place.free = stock_.free_behind(place.at);
+    return place.free;
+}
+
+bool EntryPlaces::asks_again(const Place& place) const {
+    return place.asked == Place::never || places_.size() >= place.asked + asked_again_after;
 }
 
 bool EntryPlaces::find(const CutterLocation& to, double within,
@@ -42,7 +51,7 @@ bool EntryPlaces::find(const CutterLocation& to, double within,
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const CutterLocation& at = places_[i].at;
         const double far = (at.tip + off_ * at.axis - to.tip).norm();
-        if (places_[i].free == Free::no || !(far < within)) continue;
+        if (!(places_[i].free || asks_again(places_[i])) || !(far < within)) continue;
         const double turn = std::atan2(at.axis.cross(to.axis).norm(), at.axis.dot(to.axis));
         const double length = far + 0.5 * flute_length_ * turn;
         if (turn <= max_entry_turn && length < within) near.emplace_back(length, i);

@@ -27,12 +27,14 @@ public:
               const std::function<bool(const CutterLocation&)>& reaches, const Progress& progress);
 
 private:
-    enum class Free : unsigned char { unknown, yes, no };
     struct Place {
         CutterLocation at;
-        Free free = Free::unknown;
+        bool free = false;         ///< what is free stays so
+        std::size_t asked = never; ///< when: so many places had been cut
+        static constexpr std::size_t never = std::size_t(-1);
     };
     bool is_free(Place& place) const;
+    bool asks_again(const Place& place) const;
 
     const TiltedStock& stock_;
     double flute_length_, spacing_, off_;

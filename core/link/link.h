@@ -50,7 +50,7 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis, in
 /// rapids above or round part and stock (envelope.h), and in along the next axis. In and out a rapid goes to
 /// the clearance from the location where nothing stands on that way (raw material less what operations with
-/// the axis +Z cut before, and what the flutes have cut at the location itself). Where something does, the
+/// the axis +Z cut before, and what the flutes have cut in this one). Where something does, the
 /// tool goes to or from a location near it at which it has cut and behind which nothing stands, over the part
 /// at feed, or along its axis through the stock at feed, whichever is shorter. In no motion of a link does
 /// the axis turn by more than 5 degrees, nor do interpolations of the axis differ (even_motion.h).

@@ -122,7 +122,7 @@ public:
             const Pass& pass = path.passes[i];
             if (pass.cl.empty()) continue;
             go_to(pass, Index(i), before);
-            places_.add(pass.cl.front());
+            has_cut(pass.cl.front(), pass.cl.front());
             for (std::size_t k = 1; k < pass.cl.size(); ++k)
                 cut(pass, Index(i), k);
             before = &pass;
@@ -268,6 +268,10 @@ private:
             }
             add({MotionKind::cut, to, pass_index, Index(k)});
         }
+        has_cut(from, to);
+    }
+    void has_cut(const CutterLocation& from, const CutterLocation& to) {
+        stock_.cut(from, to);
         places_.add(to);
     }
     void come_back(const CutterLocation& last, const CutterLocation& next,

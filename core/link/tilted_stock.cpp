@@ -7,8 +7,15 @@
 
 namespace facetmill {
 
-TiltedStock::TiltedStock(StockField field, const Tool& tool, double cutter_radius, double gap)
-    : field_(std::move(field)), bottom_(field_.box().lo.z()), highest_(field_.highest()), gap_(gap) {
+namespace {
+/// The places of a cut at which the flutes take away what stands, in radii of the cutter: between them they
+/// leave next to nothing.
+constexpr double cut_step_share = 0.3;
+} // namespace
+
+TiltedStock::TiltedStock(const StockField& field, const Tool& tool, double cutter_radius, double gap)
+    : columns_(field), gap_(gap), step_(cut_step_share * cutter_radius),
+      inner_(inner_cylinders(tool, field.cell())) {
     double height = tool.flute_length;
     // What the cutter's end has cut is as wide as the cutter, up to the flutes' end.
     above_flutes_.push_back({cutter_radius, height});
@@ -20,7 +27,8 @@ TiltedStock::TiltedStock(StockField field, const Tool& tool, double cutter_radiu
     for (const HolderSection& section : tool.holder)
         add(section.diameter, section.length);
     whole_ = above_flutes_;
-    whole_.push_back({std::max(cutter_radius, 0.5 * tool.diameter), 0});
+    for (const AxisCylinder& c : outer_cylinders(tool, field.cell()))
+        whole_.push_back({c.radius, c.low});
     // Beside the neck of an undercut cutter it has not cut.
     behind_ = is_undercut(CutterProfile(tool.cutter())) ? whole_ : above_flutes_;
 }
@@ -34,14 +42,42 @@ bool TiltedStock::free_behind(const CutterLocation& at) const {
 }
 
 bool TiltedStock::holds_shank(const CutterLocation& at) const {
-    const double across = std::sqrt(2.0) * field_.cell();
+    const double across = std::sqrt(2.0) * columns_.cell();
     return lift(at, above_flutes_, -across, across) > across;
+}
+
+namespace {
+
+/// The highest place of the pieces that lies in the interval; -inf where none does.
+double highest_within(std::span<const Interval> pieces, const Interval& in) {
+    for (std::size_t i = pieces.size(); i-- > 0;) {
+        if (pieces[i].lo > in.hi) continue;
+        return pieces[i].hi < in.lo ? -infinity : std::min(pieces[i].hi, in.hi);
+    }
+    return -infinity;
+}
+
+} // namespace
+
+void TiltedStock::cut(const CutterLocation& from, const CutterLocation& to) {
+    if (inner_.empty()) return;
+    const Vec3 top_from = from.tip + inner_.front().high * from.axis,
+               top_to = to.tip + inner_.front().high * to.axis;
+    const double far = std::max((to.tip - from.tip).norm(), (top_to - top_from).norm());
+    const int steps = std::max(1, int(std::ceil(far / step_)));
+    for (int i = 1; i <= steps; ++i) {
+        const double share = double(i) / steps;
+        const CutterLocation at{from.tip + share * (to.tip - from.tip),
+                                (from.axis + share * (to.axis - from.axis)).normalized()};
+        for (const AxisCylinder& c : inner_)
+            columns_.clear(at, c.radius, c.low, c.high);
+    }
 }
 
 /// The largest over all columns and bodies; any above `enough` where there is one.
 double TiltedStock::lift(const CutterLocation& at, const std::vector<Body>& bodies, double gap,
                          double enough) const {
-    const double cell = field_.cell(), half = std::sqrt(0.5) * cell;
+    const double cell = columns_.cell(), half = std::sqrt(0.5) * cell;
     double widest = 0;
     for (const Body& b : bodies)
         widest = std::max(widest, b.radius);
@@ -50,48 +86,34 @@ double TiltedStock::lift(const CutterLocation& at, const std::vector<Body>& bodi
     const double level = std::hypot(a.x(), a.y()), square = level * level;
     // Above the highest top no body meets anything: so far along the axis, in the plan.
     const double far =
-        (std::max(0.0, highest_ - at.tip.z()) + reach) / std::max(a.z(), tolerance::level_angle);
+        (std::max(0.0, columns_.highest() - at.tip.z()) + reach) / std::max(a.z(), tolerance::level_angle);
     const Vec2 from(at.tip.x(), at.tip.y()), to = from + far * Vec2(a.x(), a.y());
-    const Vec3& low = field_.box().lo;
-    const auto index = [&](double x, double origin, int count) {
-        return int(std::clamp(std::floor((x - origin) / cell), -1.0, double(count)));
-    };
-    const int row_begin = std::max(0, index(std::min(from.y(), to.y()) - reach, low.y(), field_.rows())),
-              row_end = std::min(field_.rows() - 1,
-                                 index(std::max(from.y(), to.y()) + reach, low.y(), field_.rows()));
+    const StandingColumns::Strip rows = columns_.strip(from, to, reach);
     double largest = -infinity;
-    for (int row = row_begin; row <= row_end; ++row) {
-        double left = std::min(from.x(), to.x()) - reach, right = std::max(from.x(), to.x()) + reach;
-        const double dy = field_.center(0, row).y() - from.y();
-        if (std::abs(a.y()) > tolerance::level_angle) {
-            // The strip about the axis.
-            const double middle = from.x() + dy * a.x() / a.y(), wide = reach * level / std::abs(a.y());
-            left = std::max(left, middle - wide);
-            right = std::min(right, middle + wide);
-        }
-        const int begin = std::max(0, index(left, low.x(), field_.columns())),
-                  end = std::min(field_.columns() - 1, index(right, low.x(), field_.columns()));
-        for (int column = begin; column <= end; ++column) {
-            const double top = field_.top(column, row);
-            if (!(top > bottom_)) continue;
+    for (int row = rows.row_begin; row <= rows.row_end; ++row) {
+        const StandingColumns::Run cells = columns_.run(row, from, to, reach);
+        for (int column = cells.begin; column <= cells.end; ++column) {
+            const std::span<const Interval> standing = columns_.standing(column, row);
+            if (standing.empty()) continue;
             // A point of the column at height z: w + z e_z from the tip.
-            const Vec2 center = field_.center(column, row);
+            const Vec2 center = columns_.center(column, row);
             const Vec3 w(center.x() - from.x(), center.y() - from.y(), -at.tip.z());
             const double along = w.dot(a), cross = w.z() - a.z() * along,
                          away = w.squaredNorm() - along * along;
             for (const Body& b : bodies) {
                 const double radius = b.radius + gap + half;
                 if (!(radius > 0)) continue;
-                double z = top;
+                Interval meets{-infinity, infinity};
                 if (square > tolerance::level_angle) {
                     const double root = cross * cross - square * (away - radius * radius);
                     if (root < 0) continue;
                     const double side = std::sqrt(root);
-                    if ((-cross - side) / square > top || (-cross + side) / square < bottom_) continue;
-                    z = std::min(top, (-cross + side) / square);
-                } else if (away + 2 * z * cross + z * z * square > radius * radius) {
+                    meets = {(-cross - side) / square, (-cross + side) / square};
+                } else if (const double z = standing.back().hi;
+                           away + 2 * z * cross + z * z * square > radius * radius) {
                     continue;
                 }
+                const double z = highest_within(standing, meets);
                 largest = std::max(largest, along + z * a.z() + half * level - b.height);
                 if (largest > enough) return largest;
             }

@@ -2,22 +2,24 @@
 // coordinates.
 #pragma once
 
-#include "core/setup/motion.h"
-#include "core/setup/tool.h"
-#include "core/strategy/surface/stock_field.h"
+#include "core/link/standing_columns.h"
 
 #include <vector>
 
 namespace facetmill {
 
 /// The columns of a stock field against the bodies of a tool, each a cylinder that reaches up its axis
-/// without end: what is free here stays so all the way out. A column is taken with all of its cell, and the
-/// cutter as if it were flat, so that more is met than stands there, never less.
+/// without end, the cutter's end in steps: what is free here stays so all the way out. A column is taken with
+/// all of its cell, so that more is met than stands there, never less; and less is taken away by a cut than
+/// the tool does.
 class TiltedStock {
 public:
     /// `gap`: what the sides of the bodies keep from the stock; axes that lie lower than `lowest_axis_z` are
     /// not asked for.
-    TiltedStock(StockField field, const Tool& tool, double cutter_radius, double gap);
+    TiltedStock(const StockField& field, const Tool& tool, double cutter_radius, double gap);
+
+    /// The tool has cut from one location to the next, tip and axis moving evenly.
+    void cut(const CutterLocation& from, const CutterLocation& to);
 
     /// How far up its axis the tool has to be so that it is clear of the stock by `clearance` there and
     /// farther out; -inf where it meets nothing.
@@ -35,8 +37,9 @@ private:
     };
     double lift(const CutterLocation& at, const std::vector<Body>& bodies, double gap, double enough) const;
 
-    StockField field_;
-    double bottom_ = 0, highest_ = 0, gap_ = 0;
+    StandingColumns columns_;
+    double gap_ = 0, step_ = 0; ///< step_: of the places at which cuts take away what stands
+    std::vector<AxisCylinder> inner_;
     std::vector<Body> whole_, above_flutes_, behind_; // behind_: what has to be free on the way out
 };
 

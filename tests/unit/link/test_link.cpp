@@ -461,7 +461,12 @@ private slots:
                 for (double z = 0; z <= (std::abs(y) < 8 ? 4 : 12); z += spacing)
                     points.emplace_back(x, y, z);
         using Bodies = std::vector<std::pair<double, double>>; // radius, height
-        const Bodies whole{{3, 0}, {2.5, 10}, {10, 18}}, above{{3, 10}, {2.5, 10}, {10, 18}};
+        const Bodies above{{3, 10}, {2.5, 10}, {10, 18}};
+        Bodies whole = above, ball = above; // with the end in steps, and in steps that are within it
+        for (const AxisCylinder& c : outer_cylinders(tool, cell))
+            whole.emplace_back(c.radius, c.low);
+        for (const double radius : {0.5, 1.0, 1.5, 2.0, 2.5, 2.8, 3.0})
+            ball.emplace_back(radius, 3 - std::sqrt(9 - radius * radius));
         const auto lift_of = [&](const CutterLocation& at, const Bodies& bodies, double wider) {
             double lift = -infinity;
             for (const Vec3& p : points) {
@@ -482,6 +487,7 @@ private slots:
             const CutterLocation at{Vec3(24 * share(random), 18 * share(random), 6 + 8 * share(random)),
                                     axis};
             const double lift = stock.lift(at, 2) - 2;
+            QVERIFY(lift >= lift_of(at, ball, 0) - 1e-9);
             QVERIFY(lift >= lift_of(at, whole, gap - 0.01) - 1e-9);
             QVERIFY(lift <= lift_of(at, whole, gap + 2 * cell + spacing) + cell + spacing);
             const bool is_free = stock.free_behind(at);
