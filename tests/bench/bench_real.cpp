@@ -265,8 +265,11 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
         }
         std::fprintf(stderr, " mm without cutting anything: %.1f %%\n", 100 * none / all);
     }
-    std::fprintf(stderr, "%s: naive: %zu samples, %zu poses, gouge at (%.4g, %.4g, %.4g)\n", name.c_str(),
-                 n.samples.size(), n.poses, n.gouge_at.x(), n.gouge_at.y(), n.gouge_at.z());
+    std::fprintf(stderr, "%s: naive: in the air", name.c_str());
+    for (std::size_t k = 1; k < kinds.size(); ++k)
+        std::fprintf(stderr, ", %s %.0f / %.0f", kinds[k], n.air_by_kind[k], n.feed_by_kind[k]);
+    std::fprintf(stderr, " mm\n%s: naive: %zu samples, %zu poses, gouge at (%.4g, %.4g, %.4g)\n",
+                 name.c_str(), n.samples.size(), n.poses, n.gouge_at.x(), n.gouge_at.y(), n.gouge_at.z());
 }
 
 } // namespace

@@ -389,8 +389,12 @@ private:
                 for (const NaiveBarrel& b : programs_[p].barrels)
                     touch(b, tip, axis, p, i);
                 if (programs_[p].motions[i].kind == MotionKind::rapid) return;
+                const auto kind = std::size_t(programs_[p].motions[i].kind);
                 result_.feed_length += length;
-                if (!take_away(bodies_[p], tip, axis)) result_.air_length += length;
+                result_.feed_by_kind[kind] += length;
+                if (take_away(bodies_[p], tip, axis)) return;
+                result_.air_length += length;
+                result_.air_by_kind[kind] += length;
             });
     }
     /// The points that a cylinder on the axis may reach: from one number to the other in x, y and z.

@@ -16,6 +16,7 @@
 #include "core/mesh/mesh.h"
 #include "core/setup/motion.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -69,6 +70,7 @@ struct NaiveResult {
     /// Length of motions at feed, and of those pieces of it where the cutter is farther than a quarter of its
     /// radius from the part and from what is left of the stock.
     double feed_length = 0, air_length = 0;
+    std::array<double, 5> feed_by_kind{}, air_by_kind{}; ///< the same by MotionKind
     /// Deepest point of the stock inside a shank or holder, of points a quarter of the smallest radius apart:
     /// what is shallower than a fiftieth of the radius, or falls between the points, is not seen.
     double touch_max = 0;
