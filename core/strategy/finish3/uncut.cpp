@@ -2,6 +2,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/mesh/box_tree.h"
+#include "core/mesh/facet_boxes.h"
+#include "core/mesh/triangle_distance.h"
 #include "core/strategy/surface/facet_rows.h"
 #include "core/strategy/surface/lift_line.h"
 #include "core/strategy/surface/up_side.h"
@@ -156,7 +159,7 @@ class Search {
 public:
     Search(const UncutInput& input, const Progress& progress)
         : in_(input), up_(*input.mesh, progress), swept_(input, input.passes, progress),
-          left_out_(input, input.left_out, progress),
+          left_out_(input, input.left_out, progress), facets_(facet_boxes(input.contact->mesh()), progress),
           needle_(input.contact,
                   CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
           limit_(2 * input.cover->radius()) {
@@ -248,8 +251,12 @@ private:
 
     bool passes_hold(const Vec3& q, const Vec3& tip) const { return swept_.lowest(q, tip, q.z()) <= q.z(); }
 
-    /// Height left over p that is above `from`: along the normal, or upright where no pass crosses that soon.
+    /// How much stands over p, where that is more than `from`: along the normal, or upright where no pass
+    /// crosses that soon; and no farther than its end is from all of the part, as the verifier says it.
     double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
+        const auto from_part = [&](double far, const Vec3& direction) {
+            return far > 2 * in_.allowed ? std::min(far, distance(p + far * direction)) : far;
+        };
         double low = from;
         for (double high = 1.25 * from; low < limit_; low = high, high *= 1.25) {
             if (!passes_hold(p + high * n, tip)) continue;
@@ -257,15 +264,27 @@ private:
                 const double mid = 0.5 * (low + high);
                 (passes_hold(p + mid * n, tip) ? high : low) = mid;
             }
-            return high;
+            return from_part(high, n);
         }
         const double over = swept_.lowest(p, tip, -infinity);
-        return std::max(over < infinity ? over - p.z() : in_.top - p.z(), limit_);
+        return from_part(over < infinity ? over - p.z() : in_.top - p.z(), Vec3::UnitZ());
+    }
+
+    /// From the part, but for what is to stay on it.
+    double distance(const Vec3& p) const {
+        double near2 = infinity;
+        const Mesh& mesh = in_.contact->mesh();
+        facets_.nearest(p, near2, [&](std::size_t f) {
+            near2 =
+                std::min(near2, squared_distance(p, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)));
+        });
+        return std::max(std::sqrt(near2) - in_.allowance, 0.0);
     }
 
     const UncutInput& in_;
     UpwardFacets up_;
     Swept swept_, left_out_;
+    BoxTree facets_;
     AxialLift needle_;
     double limit_, spacing_ = 1;
 };

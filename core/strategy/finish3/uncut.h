@@ -36,8 +36,10 @@ struct UncutInput {
 };
 
 struct UncutPlaces {
-    double area = 0;   ///< mm^2
-    double height = 0; ///< largest, within a hundredth, along the normal (upright where no pass crosses it)
+    double area = 0; ///< mm^2
+    /// Largest, within a hundredth: along the normal (upright where no pass crosses it), but no more than
+    /// what stands is away from all of the part.
+    double height = 0;
     Vec3 at = Vec3::Zero(); ///< where that is, on the part
 };
 

@@ -71,12 +71,27 @@ private slots:
         const double area = 2 * 40 * (r - std::sqrt(2 * r * c.allowed - c.allowed * c.allowed));
         QVERIFY2(report.out_of_reach.area > 0.95 * area && report.out_of_reach.area < 1.2 * area,
                  qPrintable(QString::number(report.out_of_reach.area)));
-        QVERIFY(std::abs(report.out_of_reach.at.y()) < 0.5);
-        // The bottom: its distance along the flank's normal is r at most; samples lie a little beside it.
-        QVERIFY2(report.out_of_reach.height > 0.4 * r && report.out_of_reach.height <= 1.02 * r,
+        // Under the ball's middle, which is as far from both flanks; samples lie a little beside.
+        const double from_flanks = r * (1 - std::sqrt(0.5));
+        QVERIFY(std::abs(report.out_of_reach.at.y()) < 1.2 * from_flanks * std::sqrt(0.5));
+        QVERIFY2(report.out_of_reach.height > 0.8 * from_flanks
+                     && report.out_of_reach.height <= 1.02 * from_flanks,
                  qPrintable(QString::number(report.out_of_reach.height)));
         const std::string w = c.warning("too large for hollows");
         QVERIFY(w.find("smaller tool") != std::string::npos && w.find(" mm") != std::string::npos);
+    }
+
+    void what_stands_is_measured_from_all_of_the_part() {
+        // A slot 20 deep that the ball does not enter: however deep it is, nothing in it is farther than half
+        // its width from a wall.
+        const double half = 1.25;
+        const Checked c(height_field([](double, double y) { return std::abs(y) < 1.1 ? -20.0 : 0.0; },
+                                     Vec2(-20, -15), Vec2(20, 15), 4, 120),
+                        ball_tool(6));
+        const UncutPlaces slot = c.report().out_of_reach;
+        QVERIFY(slot.area > 40 * 2);
+        QVERIFY2(slot.height > 0.5 * half && slot.height <= 1.05 * half,
+                 qPrintable(QString::number(slot.height)));
     }
 
     void a_part_that_the_cutter_fits_is_silent() {
