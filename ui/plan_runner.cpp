@@ -134,10 +134,14 @@ std::vector<double> shares_of(const Project& project, const PreparedPart* part,
     return shares;
 }
 
-/// In the words of a message; names and places stay as they are.
-QString failure_text(const Error& e, LengthUnit unit) {
+/// In the words of a message; names stay as they are, a parameter is called as in the form.
+QString planning_failure(const Error& e, const Operation& operation, LengthUnit unit) {
     const auto in_unit = [unit](const std::string& s) { return utf8(with_lengths_in(text(s), unit)); };
-    return text(Error(e.code(), e.where(), in_unit(e.message()), in_unit(e.remedy())).what());
+    std::string where = e.where();
+    const std::size_t colon = where.rfind(": "), begin = colon == std::string::npos ? 0 : colon + 2;
+    if (const std::string key = where.substr(begin); operation.has(key))
+        where.replace(begin, key.size(), operation.parameter(key).label);
+    return text(Error(e.code(), where, in_unit(e.message()), in_unit(e.remedy())).what());
 }
 
 } // namespace
@@ -174,7 +178,8 @@ void PlanRunner::run(Work& work, Planner& planner, SetupPlanners& earlier, const
             outcome.result = result->operations.empty() ? result->idle.at(0) : result->operations.front();
         } catch (const Error& e) {
             // The other operations may still be planned.
-            outcome.failure = failure_text(e, work.project.unit);
+            outcome.failure =
+                planning_failure(e, *work.project.operations[work.wanted[k]], work.project.unit);
         }
         planned(outcome);
         from = to;

@@ -72,7 +72,7 @@ void PointPicker::begin(const std::string& key) {
                                    "you look along. Esc leaves it.")
                               : tr("Click a point of the part for “%1”; a corner nearby is taken exactly. "
                                    "Ctrl+click takes the middle of the flat face there. Esc leaves it.")
-                                    .arg(text(key).replace(QChar('_'), QChar(' '))));
+                                    .arg(properties_.form()->spoken_label(key)));
 }
 
 void PointPicker::take(const std::optional<PartPick>& pick, Qt::KeyboardModifiers modifiers) {

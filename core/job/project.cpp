@@ -286,8 +286,9 @@ void check_axis_of(const Operation& operation, const std::string& place) {
     if (!operation.keeps_axis())
         throw Error(ErrorCode::out_of_range, place + ".tool_axis",
                     "the operation tilts the tool as it goes and keeps no axis",
-                    operation.has("tilt_limit") ? "leave out tool_axis, or set tilt_limit to 0"
-                                                : "leave out tool_axis");
+                    operation.has("tilt_limit")
+                        ? "leave the tool axis upright (0, 0, 1), or set the tilt limit to 0"
+                        : "leave the tool axis upright (0, 0, 1)");
 }
 
 void check_tools(const Project& p) {

@@ -246,7 +246,7 @@ void check_tool(const Tool& tool) {
         refuse("holder[0].diameter",
                "the holder of " + mm(tool.holder.front().diameter) + " cannot hold a shank of "
                    + mm(tool.shank_diameter),
-               "enter a smaller shank_diameter or a larger holder");
+               "enter a smaller shank diameter or a larger holder");
 }
 
 const Tool* find_tool(const std::vector<Tool>& tools, long number) {

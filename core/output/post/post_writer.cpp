@@ -600,7 +600,7 @@ void check_program_number(const Post& post, long number) {
         refuse(post,
                "the program number " + std::to_string(number) + " is not from 1 to "
                    + std::to_string(post.max_program),
-               "change `program_number`");
+               "choose another program number");
 }
 
 void check_tool_number(const Post& post, long number, const std::string& operation) {

@@ -163,8 +163,9 @@ private:
         if (held_ > 0)
             refuse("the tool's " + std::string(tool_body_name(held_by_))
                        + " would touch the part wherever there is something to cut",
-                   settings_.tilt_limit > 0 ? "use a longer tool, or allow a larger tilt_limit"
-                                            : "use a longer tool, or allow it to be inclined (tilt_limit)");
+                   settings_.tilt_limit > 0
+                       ? "use a longer tool, or allow a larger tilt limit"
+                       : "use a longer tool, or allow it to be inclined by a tilt limit");
         if (planned_ > 0)
             throw NothingToDo(settings_.name,
                               "the tool takes away nowhere more than " + job_.text(job_.cusp)
@@ -212,7 +213,7 @@ private:
             warnings.push_back(
                 "the " + std::string(tool_body_name(held_by_)) + " would touch the part along "
                 + job_.text(held_) + " of passes, which are left out: use a longer tool"
-                + (settings_.tilt_limit > 0 ? "" : ", or allow it to be inclined (tilt_limit)"));
+                + (settings_.tilt_limit > 0 ? "" : ", or allow it to be inclined by a tilt limit"));
         if (beside_stock_.left_length > 0) warnings.push_back(beside_stock_warning(beside_stock_, context_));
     }
 

@@ -25,7 +25,7 @@ void check_regions(const RegionSource& source, const GlobalLocalSettings& settin
         throw Error(ErrorCode::out_of_range, "lead_limit",
                     "the lead limit " + angle_text(settings.lead_limit)
                         + " is above that of the assumed path, " + angle_text(settings.assumed_lead_limit),
-                    "lower it, or raise assumed_lead_limit");
+                    "lower it, or raise the assumed lead limit");
     const Vec3 size = source.part->box().size();
     if (settings.rework_offset > std::max(size.x(), size.y()))
         throw Error(ErrorCode::out_of_range, "rework_offset",

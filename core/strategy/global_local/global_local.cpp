@@ -67,11 +67,11 @@ void check_rework_tool(const GlobalLocalSettings& settings, const PlanContext& c
     if (wants_ball && !ball)
         throw Error(ErrorCode::out_of_range, "rework_tool",
                     "tool " + std::to_string(t.number) + " has no ball end",
-                    "choose a ball, or rework_cutting cm2");
+                    "choose a ball, or let it match the curvature (CM2)");
     if (!wants_ball && ball)
         throw Error(ErrorCode::out_of_range, "rework_tool",
                     "tool " + std::to_string(t.number) + " is a ball, which matches no curvature by its lead",
-                    "choose a flat or bull-nosed tool, or rework_cutting ball");
+                    "choose a flat or bull-nosed tool, or cut the regions as with a ball");
 }
 
 const ReworkPlan& rework_of(const StrategyResult& plan) {
@@ -160,7 +160,7 @@ private:
                     "a lead of at most " + angle_text(settings_.lead_limit)
                         + " leaves the whole part uncut with this tool",
                     smaller_tool(*plan_->source, settings_, 2 * radius_, context_.unit)
-                        + ", or raise lead_limit");
+                        + ", or raise the lead limit");
     }
 
     PlanContext on(const PartPiece& piece) const {
@@ -183,7 +183,7 @@ private:
                         "no contact point has a free posture with a lead of at most "
                             + angle_text(settings_.lead_limit),
                         smaller_tool(*plan_->source, settings_, 2 * radius_, context_.unit)
-                            + ", or raise lead_limit");
+                            + ", or raise the lead limit");
         order_by_travel(result.passes, false, clear_z(), progress.part(1, 1));
         return result;
     }

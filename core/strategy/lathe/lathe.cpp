@@ -53,10 +53,10 @@ LatheFrame::LatheFrame(const LatheCommon& s, const PlanContext& context)
     }
     const double miss = beside(context.part_box, axis_.point, axis_.direction);
     if (miss > 0)
-        throw Error(
-            ErrorCode::out_of_range, "axis",
-            "the turning axis passes " + length_text(miss, context.unit) + " beside the part",
-            "move the part onto the axis, set axis_through to middle, or give two points of the axis");
+        throw Error(ErrorCode::out_of_range, "axis",
+                    "the turning axis passes " + length_text(miss, context.unit) + " beside the part",
+                    "move the part onto the axis, let the axis go through the part's middle, or give two "
+                    "points of it");
     // The tool comes from +Z at angle 0 where that is possible, as on machines whose rotary axis lies level.
     Vec3 from = std::abs(axis_.direction.z()) > std::cos(radians(1)) ? Vec3::UnitX() : Vec3::UnitZ();
     from -= from.dot(axis_.direction) * axis_.direction;

@@ -121,7 +121,7 @@ void keep_above_bottom(StrategyResult& path, const PlanContext& context, const O
     if (path.passes.empty() && left_out.changed > 0)
         throw Error(ErrorCode::empty_result, common.name,
                     "everywhere on the path the cutter would be below the bottom of the stock",
-                    "use a stock that reaches lower, or allow it by below_bottom");
+                    "use a stock that reaches lower, or allow it by 'Below the bottom'");
     for (const Pass& pass : path.passes)
         for (const CutterLocation& c : pass.cl)
             under.see(bottom - (c.tip.z() - reach_below_tip(profile, c.axis)));
@@ -129,16 +129,16 @@ void keep_above_bottom(StrategyResult& path, const PlanContext& context, const O
     if (raised.deepest > common.tolerance)
         path.warnings.push_back("the tip is kept from going below the bottom of the stock, by up to "
                                 + text(raised.deepest) + " at " + share(raised)
-                                + " of the points: so much stays on the surface there unless below_bottom "
-                                  "allows it");
+                                + " of the points: so much stays on the surface there unless "
+                                  "'Below the bottom' allows it");
     if (left_out.changed > 0)
         path.warnings.push_back(
             "the passes end where the cutter would go below the bottom of the stock, by up to "
             + text(left_out.deepest) + ": " + share(left_out)
-            + " of the points are left out unless below_bottom allows them");
+            + " of the points are left out unless 'Below the bottom' allows them");
     if (under.deepest > common.tolerance)
         path.warnings.push_back("the cutter goes " + text(under.deepest)
-                                + " below the bottom of the stock, as below_bottom allows");
+                                + " below the bottom of the stock, as 'Below the bottom' allows");
 }
 
 } // namespace facetmill

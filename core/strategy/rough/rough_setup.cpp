@@ -42,7 +42,7 @@ void check_depth(const RoughSettings& settings, const PlanContext& context) {
     const PlanText text{context.unit, context.to_setup};
     if (!(depth > 0))
         throw Error(ErrorCode::out_of_range, "depth", "the depth of the layers is not above 0",
-                    "enter a length above 0, or from_tolerance");
+                    "enter a length above 0, or let it follow from the tolerance");
     if (depth > context.tool.flute_length)
         throw Error(ErrorCode::out_of_range, "depth",
                     "layers of " + text(depth) + " are deeper than the flutes of the tool, "
