@@ -85,7 +85,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     if (operands_.size() > command.operands.size())
         usage_error(command.name, "unexpected '" + printable(operands_[command.operands.size()]) + "'",
                     "see facetmill-cli " + command.name + " --help");
-    if (operands_.size() < command.operands.size())
+    if (operands_.size() < command.operands.size() && !command.operands[operands_.size()].starts_with('['))
         usage_error(command.name, command.operands[operands_.size()] + " is missing",
                     "write " + command.usage());
     for (const std::string& o : operands_)

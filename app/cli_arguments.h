@@ -23,7 +23,7 @@ class Session;
 
 struct Command {
     std::string name;
-    std::vector<std::string> operands; ///< placeholders: all are required
+    std::vector<std::string> operands; ///< placeholders; "[PART]", behind all others: may be left out
     std::string summary;               ///< one line
     std::string help;                  ///< more, for --help; may be empty
     std::vector<OptionInfo> options;
@@ -41,6 +41,7 @@ public:
     Arguments(const Command& command, const std::vector<std::string>& words);
 
     const std::string& operand(std::size_t i) const { return operands_[i]; }
+    bool has_operand(std::size_t i) const { return i < operands_.size(); }
     bool has(std::string_view option) const;
     /// Its value; the fallback when it was not given.
     std::string value(std::string_view option, const std::string& fallback = {}) const;

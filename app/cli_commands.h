@@ -18,6 +18,7 @@ Command export_command();
 Command report_command();
 Command pack_command();
 Command unpack_command();
+Command template_command();
 Command tools_command();
 Command reference_command();
 

@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         for (const char* command : {"info", "sample", "place", "plan", "simulate", "cspace", "drop", "render",
-                                    "export", "pack", "unpack", "tools", "reference"}) {
+                                    "export", "pack", "unpack", "template", "tools", "reference"}) {
             QVERIFY(help.out.contains(command));
             const CliRun one = run_cli({command, "--help"}, s.path());
             QCOMPARE(one.status, 0);
@@ -80,6 +80,15 @@ private slots:
                                  "pack p.facetmill",
                                  "pack -o a.facetmill",
                                  "unpack a.facetmill",
+                                 "template",
+                                 "template save",
+                                 "template save p.facetmill",
+                                 "template save p.facetmill q.facetmill -o t",
+                                 "template apply t -o p.facetmill",
+                                 "template apply t part.stl -o p.facetmill",
+                                 "template apply t p.facetmill --units mm -o q.facetmill",
+                                 "template apply t part.stl --units mm",
+                                 "template keep p.facetmill -o t",
                                  "place part.stl",
                                  "place part.stl --on",
                                  "place part.stl --on side",
