@@ -134,6 +134,17 @@ std::string axis_view_key(const Project& project, const Operation& operation, co
         .text();
 }
 
+std::shared_ptr<const KeptWithin> kept_within_of(const Project& project, const Operation& operation,
+                                                 const PreparedPart& part, const Mat3& turn,
+                                                 const Progress& progress) {
+    if (operation.common().boundary.empty()) return nullptr;
+    const auto alone = operation.clone(); // what it keeps off is asked of a contact index, and of that alone
+    alone->common().avoid.clear();
+    PreparedPart seen = part;
+    if (turn != Mat3::Identity()) seen.mesh = turned_mesh(part.mesh, turn);
+    return BoundsCache(turn).of(project, *alone, seen, {}, progress).within;
+}
+
 MeshPtr turned_mesh(const MeshPtr& mesh, const Mat3& turn) {
     if (!mesh) return nullptr;
     auto turned = std::make_shared<Mesh>(*mesh);

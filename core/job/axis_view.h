@@ -39,6 +39,12 @@ struct AxisView {
 /// Text of all that the view of an operation depends on beside part and fixtures; empty for the axis +Z.
 std::string axis_view_key(const Project& project, const Operation& operation, const Box3& stock);
 
+/// What an operation's tool is kept within, as its planning made it: of a part in the setup, for a view
+/// turned by `turn`. Null where it names no boundary. Throws what BoundsCache::of does.
+std::shared_ptr<const KeptWithin> kept_within_of(const Project& project, const Operation& operation,
+                                                 const PreparedPart& part, const Mat3& turn,
+                                                 const Progress& progress);
+
 /// A raw material turned; but by quarter turns a closed mesh, where a cylinder becomes a prism round it.
 StockSolid turned_stock(const StockSolid& stock, const Mat3& turn);
 MeshPtr turned_mesh(const MeshPtr& mesh, const Mat3& turn);

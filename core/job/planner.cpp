@@ -1,5 +1,6 @@
 #include "core/job/planner.h"
 
+#include "core/base/keyed_hash.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/job/asked_operations.h"
@@ -205,7 +206,12 @@ struct Planner::Cache {
         std::shared_ptr<const StrategyResult>
             in_view; ///< the path of an indexed one as it was planned, else null
         bool used = false;
-        std::size_t motions = 0; ///< number of its motions: the same ones, the same number
+
+        /// Names its motions: the same ones, the same name, in every run.
+        std::string motions() const { return keyed_hash({}, motion_key).hex(); }
+        std::shared_ptr<const PlanKeys> keys() const {
+            return std::make_shared<const PlanKeys>(PlanKeys{path_key, motion_key, program_key, in_view});
+        }
     };
 
     std::string load_key, part_key, stock_key, held_key; ///< stock_key: empty where its mesh is none
@@ -215,7 +221,6 @@ struct Planner::Cache {
     std::vector<std::unique_ptr<AxisView>> indexed;
     RestMeshes rests;
     std::vector<Planned> planned;
-    std::size_t last_motions = 0;
     PlannerWork work;
     std::shared_ptr<const CarriedStock> carried;
     std::string left_key; ///< of `rest`
@@ -337,18 +342,14 @@ const std::shared_ptr<const CarriedStock>& Planner::carried() const {
     return cache_->carried;
 }
 
-std::string stock_source(const Project& project) {
-    if (project.stock.kind != StockSpec::Kind::rest || project.before.empty()) return {};
-    Project earlier = view_of_setup(project, chosen_setup(project) - 1);
-    earlier.after.clear();
-    Key key;
-    key.add(std::string_view(project_to_json(earlier)))
-        .add(project.place.rotate)
-        .add(project.place.translate);
-    for (std::size_t i = 0; i < setup_count(earlier); ++i)
-        for (const ProjectInput& input : project_inputs(view_of_setup(earlier, i)))
-            if (input.kind != ProjectInput::Kind::post) key.add(std::string_view(file_stamp(input.path)));
-    return key.text();
+std::shared_ptr<const PreparedPart> Planner::prepared() const {
+    return cache_->part;
+}
+
+void Planner::adopt(const std::shared_ptr<const OperationResult>& result) {
+    if (!result->keys || cache_->find(&Cache::Planned::program_key, result->keys->program)) return;
+    const PlanKeys& keys = *result->keys;
+    cache_->planned.push_back({keys.path, keys.motions, keys.program, result, keys.in_view});
 }
 
 namespace {
@@ -551,14 +552,12 @@ void Planner::Cache::link_path(const Operation& operation, const PlanContext& co
     if (const Planned* same = find(&Planned::motion_key, made.motion_key)) {
         motions = same->result->program.motions;
         result.seconds_link = same->result->seconds_link;
-        made.motions = same->motions;
         return;
     }
     const auto start = std::chrono::steady_clock::now();
     motions = link_operation(operation, made.in_view ? *made.in_view : result.path, context, progress);
     if (!view.is_upright()) motions = turned_motions(std::move(motions), view.turn.transpose());
     result.seconds_link = seconds_since(start);
-    made.motions = ++last_motions;
     ++work.links;
 }
 
@@ -606,7 +605,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     if (!result->nothing_to_do.empty()) {
         result->seconds_planning = result->seconds_strategy;
         progress.set(1.0);
-        made.motions = ++last_motions;
+        result->keys = made.keys();
         planned.push_back(std::move(made));
         return planned.back();
     }
@@ -631,6 +630,7 @@ const Planner::Cache::Planned& Planner::Cache::operation(const Project& project,
     result->seconds_planning = result->seconds_strategy + result->seconds_link;
     ++work.programs;
     progress.set(1.0);
+    result->keys = made.keys();
     planned.push_back(std::move(made));
     return planned.back();
 }
@@ -748,11 +748,11 @@ std::shared_ptr<const PlanResult> Planner::plan(const Project& project, const st
                 for (const auto& program : programs_of(planned.result))
                     result->operations.push_back(program);
             if (asked[i].read) {
-                before.add(std::to_string(planned.motions));
+                before.add(std::string_view(planned.motions()));
                 for (const auto& program : programs_of(planned.result))
                     done->operations.push_back(program);
             }
-            if (asked[i].leaves) stock.add(operation, planned.result, planned.motions);
+            if (asked[i].leaves) stock.add(operation, planned.result, planned.motions());
         } catch (const Error& e) {
             // A strategy knows what is wrong, not which of the project's operations it is.
             const std::string& name = operation.common().name;

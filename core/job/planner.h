@@ -49,6 +49,13 @@ struct MachineRun {
     std::vector<std::string> warnings; ///< what the machine cannot do, in the project's unit
 };
 
+/// What a Planner made a result from, as text: where it is asked for the same again, it has it.
+struct PlanKeys {
+    std::string path, motions, program;
+    /// The path of an indexed operation as it was planned, else null.
+    std::shared_ptr<const StrategyResult> in_view;
+};
+
 struct OperationResult {
     std::string name, kind;
     StrategyResult path;
@@ -72,6 +79,7 @@ struct OperationResult {
     /// Programs of further tools that belong to it and run after it, as those of a rework path; named after
     /// it.
     std::vector<std::shared_ptr<const OperationResult>> further;
+    std::shared_ptr<const PlanKeys> keys; ///< null: not a Planner's own
 
     /// The path's and the machine's.
     std::vector<std::string> warnings() const;
@@ -91,8 +99,8 @@ struct CarriedStock {
 
 /// All that the stock which the chosen setup begins with comes from, as text, where that is a rest; else
 /// empty: the part, the setups before, how this one holds the part, and the files of all that as they are on
-/// disk.
-std::string stock_source(const Project& project);
+/// disk. `file_text` says what a file is (project.h).
+std::string stock_source(const Project& project, const FileText& file_text = file_stamp);
 
 /// How often a Planner ran each stage; what was reused is not counted.
 struct PlannerWork {
@@ -134,6 +142,10 @@ public:
     /// was made from anything else than the project says now, `prepare` throws Error(missing_reference).
     void carry(std::shared_ptr<const CarriedStock> stock);
     const std::shared_ptr<const CarriedStock>& carried() const;
+    /// Takes over what another Planner made (OperationResult::keys): this one has it when it is asked for it.
+    void adopt(const std::shared_ptr<const OperationResult>& result);
+    /// What `prepare` made last; null before.
+    std::shared_ptr<const PreparedPart> prepared() const;
     /// Plans all operations, or only the one named (empty: all). Throws Error (of check_project, of the
     /// part's file, missing_reference for an unknown name, empty_result when nothing is cut) or Cancelled;
     /// the cache stays good then.

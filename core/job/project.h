@@ -10,6 +10,7 @@
 #include "core/strategy/plan/operation.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,6 +107,8 @@ std::string project_to_json(const Project& project);
 Machine project_machine(const Project& project);
 /// Place, size and time of writing of a file as text: another one once the file was written anew or is gone.
 std::string file_stamp(const std::filesystem::path& path);
+/// What a file is, as text, in texts that say what results depend on: file_stamp, or its content.
+using FileText = std::function<std::string(const std::filesystem::path&)>;
 /// Throws Error(unwritable) where `output` is the project's file or that of its part, stock or machine, by
 /// whatever name.
 void keep_inputs(const Project& project, const std::filesystem::path& output);

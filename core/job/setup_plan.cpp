@@ -2,6 +2,8 @@
 
 #include "core/base/units.h"
 #include "core/job/asked_operations.h"
+#include "core/job/cache_key.h"
+#include "core/job/project_inputs.h"
 #include "core/job/stock_so_far.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -92,6 +94,20 @@ std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& vie
 }
 
 } // namespace
+
+std::string stock_source(const Project& project, const FileText& file_text) {
+    if (project.stock.kind != StockSpec::Kind::rest || project.before.empty()) return {};
+    Project earlier = view_of_setup(project, chosen_setup(project) - 1);
+    earlier.after.clear();
+    Key key;
+    key.add(std::string_view(project_to_json(earlier)))
+        .add(project.place.rotate)
+        .add(project.place.translate);
+    for (std::size_t i = 0; i < setup_count(earlier); ++i)
+        for (const ProjectInput& input : project_inputs(view_of_setup(earlier, i)))
+            if (input.kind != ProjectInput::Kind::post) key.add(std::string_view(file_text(input.path)));
+    return key.text();
+}
 
 Planner& SetupPlanners::at(std::size_t setup) {
     while (planners_.size() <= setup)

@@ -65,17 +65,17 @@ StockSoFar::StockSoFar(const Project& project, const PlanResult& setup, std::str
     : project_(project), setup_(setup), key_(std::move(key)), rests_(rests) {}
 
 void StockSoFar::add(const Operation& operation, const std::shared_ptr<const OperationResult>& result,
-                     std::size_t number) {
+                     std::string name) {
     const Vec3 axis = operation.tool_axis();
-    if (!result->nothing_to_do.empty()) return cuts_.push_back({axis, nullptr, nullptr, number});
+    if (!result->nothing_to_do.empty()) return cuts_.push_back({axis, nullptr, nullptr, std::move(name)});
     const Mat3 turn = operation.is_indexed() ? turn_upright(axis) : Mat3::Identity();
-    cuts_.push_back({axis, result, cuts_of(*result, operation.common().allowance, turn), number});
+    cuts_.push_back({axis, result, cuts_of(*result, operation.common().allowance, turn), std::move(name)});
 }
 
 std::string StockSoFar::key() const {
     Key key;
     for (const Cut& cut : cuts_)
-        key.add(std::to_string(cut.number));
+        key.add(std::string_view(cut.name));
     return key.text();
 }
 
@@ -97,7 +97,7 @@ const StockSolid& StockSoFar::rest(std::size_t count, const Progress& progress) 
     Key key;
     key.add(std::string_view(key_));
     for (std::size_t i = 0; i < count; ++i)
-        key.add(std::to_string(cuts_[i].number));
+        key.add(std::string_view(cuts_[i].name));
     StockSolid& kept = rests_.of(key.text());
     if (kept.mesh) return kept;
     auto before = std::make_shared<PlanResult>();

@@ -43,9 +43,9 @@ public:
     /// `key`: another text for another stock or part.
     StockSoFar(const Project& project, const PlanResult& setup, std::string key, RestMeshes& rests);
 
-    /// Operations in their order; `number`: the same one for the same motions, and for no others.
+    /// Operations in their order; `name`: the same one for the same motions, and for no others.
     void add(const Operation& operation, const std::shared_ptr<const OperationResult>& result,
-             std::size_t number);
+             std::string name);
     /// Names all that the operations so far have cut.
     std::string key() const;
     struct Before {
@@ -60,7 +60,7 @@ private:
         Vec3 axis;
         std::shared_ptr<const OperationResult> result; ///< null: it had nothing to do
         std::shared_ptr<const EarlierCuts> cuts;
-        std::size_t number;
+        std::string name;
     };
     const StockSolid& rest(std::size_t count, const Progress& progress) const;
 

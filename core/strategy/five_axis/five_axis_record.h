@@ -33,6 +33,9 @@ struct FiveAxisRecord {
     std::vector<Piece> pieces;
     std::vector<Point> points; ///< in machining order
     std::vector<Line> lines;
+    /// What the contact indexes of the contexts hold, of a record whose contexts have none: one that was kept
+    /// in a file. All of them have the same.
+    MeshPtr kept_off;
 
     const Line& line_of(std::size_t point) const;
     Finish5Settings settings_of(std::size_t piece) const;

@@ -2,9 +2,25 @@
 
 namespace facetmill {
 
+namespace {
+
+PlanContext with_contact(const PlanContext& context, const ContactIndexPtr& contact) {
+    PlanContext complete = context;
+    if (!complete.contact) complete.contact = contact;
+    return complete;
+}
+
+ContactIndexPtr contact_of(const FiveAxisRecord& record, const Progress& progress) {
+    return record.context.contact ? record.context.contact
+                                  : std::make_shared<const ContactIndex>(record.kept_off, progress);
+}
+
+} // namespace
+
 FiveAxisStudy::FiveAxisStudy(std::shared_ptr<const FiveAxisRecord> record, const Progress& progress)
     : record_(std::move(record)),
-      field_(record_->context, record_->settings_of(0), progress, true, record_->pieces.front().view),
+      field_(with_contact(record_->context, contact_of(*record_, progress.part(0, 0.3))),
+             record_->settings_of(0), progress.part(0.3, 1), true, record_->pieces.front().view),
       further_(record_->pieces.size()) {}
 
 const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
@@ -14,8 +30,8 @@ const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
     auto& own = further_[line.piece];
     const FiveAxisRecord::Piece& piece = record_->pieces[line.piece];
     if (!own)
-        own = std::make_unique<FiveAxisField>(piece.context, record_->settings_of(line.piece), progress, true,
-                                              piece.view);
+        own = std::make_unique<FiveAxisField>(with_contact(piece.context, field_.context().contact),
+                                              record_->settings_of(line.piece), progress, true, piece.view);
     return *own;
 }
 
