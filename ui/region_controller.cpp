@@ -1,5 +1,6 @@
 #include "ui/region_controller.h"
 
+#include "core/strategy/global_local/rework_plan.h"
 #include "ui/parameter_form.h"
 #include "ui/properties_panel.h"
 #include "ui/region_dialog.h"
@@ -65,7 +66,7 @@ void place_beside_view(QWidget& dialog) {
 }
 
 /// What the dialog says of the regions that were found, above their list.
-QString regions_text(const ReworkRegions& r) {
+QString regions_text(const ReworkRegions& r, const OperationResult* planned) {
     const auto off = std::count_if(r.regions.begin(), r.regions.end(),
                                    [](const ReworkRegion& region) { return !region.strip.enabled; });
     QString status = r.regions.size() == 1 ? RegionController::tr("1 region")
@@ -77,7 +78,14 @@ QString regions_text(const ReworkRegions& r) {
     if (r.uncut_area >= 0.98 * r.part_area)
         return RegionController::tr(
             "This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
-    return status;
+    // What the main path leaves is known when it is planned, and is in the report.
+    const auto* path = planned ? planned->path.as<GlobalLocalPath>() : nullptr;
+    if (!path || path->rework->regions.regions.size() == r.regions.size()) return status;
+    const ReworkRegions& p = path->rework->regions;
+    return RegionController::tr("Before planning: %1. As planned, where the paths were looked at: %2, %3 %")
+        .arg(status)
+        .arg(p.regions.size())
+        .arg(text(format_number(p.part_area > 0 ? 100 * p.area / p.part_area : 0, 2)));
 }
 
 } // namespace
@@ -259,7 +267,7 @@ void RegionController::commit() {
                     [&](const auto& v) { return now.get(v.first) == v.second; }))
         return refresh();
     const QString what = values.size() == 1
-                             ? tr("Edit %1").arg(text(values.begin()->first).replace(QChar('_'), QChar(' ')))
+                             ? tr("Edit %1").arg(text(now.parameter(values.begin()->first).label))
                              : tr("Edit region settings");
     document_.change(what, [&](Project& p) {
         for (const auto& [key, value] : values)
@@ -365,7 +373,8 @@ void RegionController::take(const Found& found) {
                "is nothing to rework.")
                 .arg(text(format_number(degrees(settings.lead_limit), 3))));
     } else {
-        dialog_->show_regions(r.regions, regions_text(r));
+        const bool as_planned = values_.empty() && !drag_ && document_.state(*i) == OperationState::planned;
+        dialog_->show_regions(r.regions, regions_text(r, as_planned ? document_.result(*i).get() : nullptr));
     }
     double diameter = 0;
     try {

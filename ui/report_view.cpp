@@ -260,7 +260,8 @@ QString ReportView::operation_html(std::size_t i) const {
               state == OperationState::planned && path.cusp_max > tolerance * (1 + 1e-9)
                   ? signal.attention.name()
                   : QString());
-    facts.add(tr("Tolerance"), shown_length(tolerance, unit, 4));
+    // Of an older plan it is not known any more: the operation's own stands beside other figures.
+    if (state != OperationState::stale) facts.add(tr("Tolerance"), shown_length(tolerance, unit, 4));
     if (path.cleanup_points > 0)
         facts.add(tr("Left for clean-up"), tr("%1 CC points").arg(count_text(path.cleanup_points)),
                   signal.attention.name());
