@@ -2,7 +2,6 @@
 
 #include "ui/messages.h"
 #include "ui/project_files.h"
-#include "ui/settings.h"
 #include "ui/text.h"
 
 #include <QFileInfo>
@@ -45,7 +44,6 @@ Autosave::Autosave(Document& document, BackgroundJob& job, ProjectFiles& files, 
                    QWidget* window)
     : document_(document), files_(files), messages_(messages), window_(window) {
     timer_.setSingleShot(true);
-    timer_.setInterval(settings::autosave_interval());
     connect(&timer_, &QTimer::timeout, this, &Autosave::keep);
     connect(&job, &BackgroundJob::started, this, &Autosave::keep);
     connect(&document_, &Document::opened, this, [this] {

@@ -24,7 +24,7 @@ public:
     /// Nothing stays behind a window that ends in order.
     ~Autosave() override;
 
-    /// So much work can be lost at most; at first what the settings say. A project is a few kilobytes, which
+    /// So much work can be lost at most. A project is a few kilobytes, which
     /// can be written often without being noticed.
     void set_interval(std::chrono::milliseconds time) { timer_.setInterval(time); }
     /// Keeps what has changed since the last time, now. Happens by itself as a plan, or any other job of the

@@ -250,9 +250,9 @@ OperationState Document::state(std::size_t i) const {
     return current ? OperationState::planned : OperationState::stale;
 }
 
-bool Document::all_planned() const {
+bool Document::all_planned(std::optional<std::size_t> up_to) const {
     bool any = false;
-    for (std::size_t i = 0; i < operation_count(); ++i) {
+    for (std::size_t i = 0; i < operation_count() && i <= up_to.value_or(i); ++i) {
         const OperationState now = state(i);
         if (now != OperationState::planned && now != OperationState::off) return false;
         any = any || now == OperationState::planned;

@@ -105,8 +105,9 @@ public:
 
     // results
     OperationState state(std::size_t i) const;
-    /// Every operation that is not switched off is planned as it stands, and there is one.
-    bool all_planned() const;
+    /// Every operation that is not switched off, up to one (none: all), is planned as it stands, and there is
+    /// one.
+    bool all_planned(std::optional<std::size_t> up_to = std::nullopt) const;
     /// Null for one that is switched off.
     std::shared_ptr<const OperationResult> result(std::size_t i) const;
     QString failure(std::size_t i) const;

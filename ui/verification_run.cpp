@@ -43,14 +43,7 @@ JudgedSetup judged_setup(const Project& view, const std::vector<int>& ids) {
 
 bool can_judge(const Document& document, std::optional<std::size_t> up_to) {
     if (!document.part_is_current() || !document.has_stock()) return false;
-    if (document.program()) return !up_to;
-    bool any = false;
-    for (std::size_t i = 0; i < operations_to(document, up_to); ++i) {
-        if (document.is_off(i)) continue;
-        any = true;
-        if (document.state(i) != OperationState::planned) return false;
-    }
-    return any;
+    return document.program() ? !up_to : document.all_planned(up_to);
 }
 
 std::shared_ptr<const PlanResult> plan_as_it_stands(const Document& document,
