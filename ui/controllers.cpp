@@ -5,6 +5,7 @@
 #include "ui/fixture_controller.h"
 #include "ui/inputs_controller.h"
 #include "ui/inspection_controller.h"
+#include "ui/kept_plans.h"
 #include "ui/layer_bar.h"
 #include "ui/measure_controller.h"
 #include "ui/messages.h"
@@ -57,6 +58,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
                                verification_->model(), window);
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
+    kept_ = new KeptPlans(p.document, p.planner, p.planners, p.job, *verification_, window);
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
     auto* boundaries =
         new BoundaryController(p.document, p.viewport, *p.properties.boundary_box(), p.messages, window);
@@ -77,8 +79,8 @@ void Controllers::build(const Parts& p, QWidget* window) {
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {measure_, picker, boundaries, verification_, rough_,   regions_, inspection_, unrolled_,
-            cspace_,  tool_,  strips_,    part_,         fixtures, inputs_,  place_,      paths_};
+    all_ = {measure_, picker,  boundaries, verification_, rough_,  regions_, inspection_, unrolled_, cspace_,
+            tool_,    strips_, part_,      fixtures,      inputs_, place_,   paths_,      kept_};
 }
 
 void Controllers::connect_document(const Document& document) {

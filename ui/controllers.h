@@ -20,6 +20,7 @@ class BoundaryController;
 class CSpaceController;
 class InputsController;
 class InspectionController;
+class KeptPlans;
 class LayerBar;
 class MeasureController;
 class Messages;
@@ -66,6 +67,7 @@ public:
     InputsController& inputs() { return *inputs_; }
     PlaceController& place() { return *place_; }
     MeasureController& measure() { return *measure_; }
+    KeptPlans& kept() { return *kept_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -102,6 +104,7 @@ private:
     InputsController* inputs_ = nullptr;
     PlaceController* place_ = nullptr;
     MeasureController* measure_ = nullptr;
+    KeptPlans* kept_ = nullptr;
     std::vector<Controller*> all_; ///< in the order in which they are told
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/job/asked_operations.h"
 #include "core/job/bounds.h"
+#include "core/job/cache_key.h"
 #include "core/job/fixtures.h"
 #include "core/job/planner.h"
 #include "core/job/project_inputs.h"
@@ -14,19 +15,21 @@ namespace facetmill::ui {
 
 namespace {
 
-/// The project without tools and operations, with its files by where they are, wherever it names them from.
-Project part_and_machine(const Project& project) {
+/// The project without tools and operations, with what its files are in place of their names.
+Project part_and_machine(const Project& project, const FileText& file_text) {
+    const auto text = [&](const std::filesystem::path& path) {
+        return path.empty() ? std::string() : file_text(path);
+    };
     Project alone;
     alone.path = project.path;
     alone.part = project.placed_part();
-    alone.part.file = project.part_path().lexically_normal().string();
+    alone.part.file = text(project.part_path());
     alone.stock = project.stock;
-    alone.stock.file = project.stock_path().lexically_normal().string();
+    alone.stock.file = text(project.stock_path());
     alone.fixtures = project.fixtures;
     for (Fixture& fixture : alone.fixtures)
-        fixture.file = project.fixture_path(fixture).lexically_normal().string();
-    alone.machine = is_machine_file(project.machine) ? project.machine_path().lexically_normal().string()
-                                                     : project.machine;
+        fixture.file = text(project.fixture_path(fixture));
+    alone.machine = is_machine_file(project.machine) ? text(project.machine_path()) : project.machine;
     return alone;
 }
 
@@ -52,7 +55,7 @@ std::string part_key(const Project& project) {
     return key;
 }
 
-std::string posting_key(const Project& project) {
+std::string posting_key(const Project& project, const FileText& file_text) {
     const ProgramSpec& programs = project.programs;
     if (programs.post.empty()) return {};
     std::string key = std::string(unit_name(project.unit)) + "|" + project.machine + "|" + programs.post + "|"
@@ -62,13 +65,13 @@ std::string posting_key(const Project& project) {
     for (const auto& three : {programs.zero_place, programs.zero})
         for (const double v : three)
             key += "|" + format_number(v, 17);
-    if (is_machine_file(project.machine)) key += "|" + file_stamp(project.machine_path());
-    if (is_post_file(programs.post)) key += "|" + file_stamp(project.post_path());
+    if (is_machine_file(project.machine)) key += "|" + file_text(project.machine_path());
+    if (is_post_file(programs.post)) key += "|" + file_text(project.post_path());
     return key;
 }
 
-std::string fingerprint(const Project& project, std::size_t i) {
-    Project alone = part_and_machine(project);
+std::string fingerprint(const Project& project, std::size_t i, const FileText& file_text) {
+    Project alone = part_and_machine(project, file_text);
     std::string bounds; // boundaries that are named, and what they say
     const auto add = [&](const Operation& operation) {
         try {
@@ -91,8 +94,16 @@ std::string fingerprint(const Project& project, std::size_t i) {
     // The unit is left out: it is one of the display and of the files, not of the path.
     std::string text = project_to_json(alone) + bounds;
     for (const ProjectInput& input : project_inputs(project))
-        if (input.kind != ProjectInput::Kind::post) text += file_stamp(input.path) + "\n";
-    return text + stock_source(project);
+        if (input.kind != ProjectInput::Kind::post) text += file_text(input.path) + "\n";
+    return text + stock_source(project, file_text);
+}
+
+std::string verdict_source(const Project& project, std::size_t operations, const FileText& file_text) {
+    Key key;
+    for (std::size_t i = 0; i < operations; ++i)
+        key.add(std::string_view(fingerprint(project, i, file_text)));
+    key.add(std::string_view(posting_key(project, file_text))).add(unit_name(project.unit));
+    return key.add_up_to(Stage::output, project.limits, verify_limit_parameters()).text();
 }
 
 } // namespace facetmill::ui

@@ -8,14 +8,16 @@
 
 namespace facetmill::ui {
 
-/// Files as they are on disk, units and placements: what the meshes of part and stock depend on; where the
+// `file_text` says what a file is (core/job/project.h): as it is on disk, or by its content.
+
+/// Files, units and placements: what the meshes of part and stock depend on; where the
 /// stock is a rest, all that it comes from.
 std::string part_key(const Project& project);
-/// Everything that says how programs are posted, the files of post and machine as they are on disk. Empty
-/// without a post.
-std::string posting_key(const Project& project);
-/// Everything the result of operation `i` depends on; the files of part, stock and machine as they are on
-/// disk.
-std::string fingerprint(const Project& project, std::size_t i);
+/// Everything that says how programs are posted, with the files of post and machine. Empty without a post.
+std::string posting_key(const Project& project, const FileText& file_text = file_stamp);
+/// Everything the result of operation `i` depends on, with the files of part, stock and machine.
+std::string fingerprint(const Project& project, std::size_t i, const FileText& file_text = file_stamp);
+/// Everything that the verdict on the first `operations` operations depends on.
+std::string verdict_source(const Project& project, std::size_t operations, const FileText& file_text);
 
 } // namespace facetmill::ui

@@ -1,6 +1,7 @@
 #include "ui/work_follower.h"
 
 #include "ui/controllers.h"
+#include "ui/kept_plans.h"
 #include "ui/main_window.h"
 #include "ui/plan_runner.h"
 #include "ui/project_tree.h"
@@ -45,6 +46,7 @@ void follow_work(MainWindow& w, WindowDocks& docks) {
     QObject::connect(&w.tree(), &ProjectTree::selection_changed, &w, [&w] { leave_preparing(w); });
     QObject::connect(&w.planning(), &PlanRunner::about_to_plan, &w,
                      [&w] { w.workspaces().enter(Workspace::plan); });
+    QObject::connect(&w.controllers().kept(), &KeptPlans::taken_up, &w, [&w] { leave_preparing(w); });
     follow_playback(w);
     QObject::connect(&w.workspaces(), &Workspaces::chosen, &w, [&docks](Workspace now) {
         if (now == Workspace::verify) docks.show(QStringLiteral("verification_dock"));

@@ -1,0 +1,223 @@
+// What was planned and verified is there again when a project is opened, without planning; what does not fit,
+// or is damaged, is not.
+#include "tests/screenshot/window_support.h"
+#include "ui/cspace_controller.h"
+#include "ui/deviation_view.h"
+#include "ui/log_view.h"
+#include "ui/plan_runner.h"
+#include "ui/project_tree.h"
+#include "ui/verification_controller.h"
+#include "ui/viewport.h"
+#include "viz/scene.h"
+
+#include <QDir>
+#include <QFile>
+#include <QMap>
+#include <QTest>
+
+#include <random>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::OperationState;
+
+namespace {
+
+QByteArray file_content(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QStringList kept_names(const QString& folder) {
+    return QDir(folder).entryList(QDir::Files, QDir::Name);
+}
+
+QMap<QString, QByteArray> folder_contents(const QString& folder) {
+    QMap<QString, QByteArray> all;
+    const QStringList names = kept_names(folder);
+    for (const QString& name : names)
+        all[name] = file_content(folder + QChar('/') + name);
+    return all;
+}
+
+} // namespace
+
+class TestWindowKeptPlans : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    QString folder_;
+
+    QString job() const { return folder_ + QStringLiteral("/job.facetmill"); }
+    QString kept() const { return folder_ + QStringLiteral("/job.facetmill-cache"); }
+    QStringList kept_files() const {
+        return QDir(kept()).entryList({QStringLiteral("*.kept")}, QDir::Files, QDir::Name);
+    }
+    QString log() { return w().findChild<ui::LogView*>()->toPlainText(); }
+    QMap<QString, QByteArray> exported(const QString& name) {
+        const QString folder = folder_ + QChar('/') + name;
+        QDir().mkpath(folder);
+        w().exports().save_programs(folder);
+        if (!wait_until_settled(w()) || !w().last_failure().isEmpty()) return {};
+        return folder_contents(folder);
+    }
+    bool reopen() {
+        close_window();
+        if (!show_window()) return false;
+        w().open_file(job());
+        return wait_until_settled(w()) && w().document().has_part();
+    }
+    /// Planned, verified and saved.
+    bool save_verified(const QString& name) {
+        folder_ = scratch_folder(name);
+        if (!open_and_plan() || !w().files().save_to(job())) return false;
+        w().verify();
+        return wait_until_settled(w()) && w().verification().model().current();
+    }
+
+private slots:
+    void init() { QVERIFY(show_window()); }
+    void cleanup() { close_window(); }
+
+    void reopened_means_as_it_was() {
+        QVERIFY(save_verified(QStringLiteral("kept")));
+        QCOMPARE(kept_files().size(), 2);
+        QVERIFY(kept_names(kept()).contains(QStringLiteral("CACHEDIR.TAG")));
+        QVERIFY2(log().contains(QStringLiteral("Kept with the project")), qPrintable(log()));
+        const auto before = exported(QStringLiteral("before"));
+        QVERIFY(!before.isEmpty());
+        const Verification was = w().verification().model().verification();
+        const auto planned = w().document().result(0);
+        QVERIFY(reopen());
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(!w().document().modified());
+        const auto result = w().document().result(0);
+        QVERIFY(result != planned);
+        QCOMPARE(result->totals.time_seconds, planned->totals.time_seconds);
+        QCOMPARE(result->path.cusp_max, planned->path.cusp_max);
+        QVERIFY(result->warnings() == planned->warnings());
+        const ui::VerificationModel& model = w().verification().model();
+        QVERIFY(model.current());
+        QCOMPARE(model.verdict(), ui::Verdict::verified);
+        QCOMPARE(model.verification().figures.gouge_max, was.figures.gouge_max);
+        QCOMPARE(model.verification().figures.excess_p99, was.figures.excess_p99);
+        QVERIFY(w().verification().doubt().isEmpty());
+        QVERIFY(w().viewport().scene().has(Layer::deviation));
+        QCOMPARE(w().workspaces().current(), ui::Workspace::verify);
+        QVERIFY(w().verification().playback().loaded());
+        shot(w(), QStringLiteral("reopened-verified"));
+        // The same bytes, and no planner was asked.
+        QCOMPARE(exported(QStringLiteral("after")), before);
+        QCOMPARE(w().document().result(0), result);
+        // Planned again, it is the one that was kept, not one that was made anew.
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().result(0), result);
+    }
+
+    void five_axes_have_their_configuration_spaces() {
+        folder_ = scratch_folder(QStringLiteral("kept_five"));
+        QVERIFY(plan_five_axes());
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(reopen());
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        const auto record = w().document().result(0)->path.five_axis();
+        QVERIFY(record && !record->points.empty());
+        QCOMPARE(w().workspaces().current(), ui::Workspace::plan);
+        QVERIFY(w().cspace().point().has_value());
+        w().cspace().step(5, 0);
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().cspace().shown());
+        const std::size_t point = w().cspace().shown()->index;
+        QCOMPARE(point, *w().cspace().point());
+        QVERIFY(w().cspace().shown()->place.surface == record->points[point].place.surface);
+        QVERIFY(!w().cspace().shown()->space.bottom.empty());
+        shot(w(), QStringLiteral("reopened-cspace"));
+    }
+
+    void what_does_not_fit_is_not_used() {
+        QVERIFY(save_verified(QStringLiteral("kept_changed")));
+        // Another parameter, saved by a window that planned nothing.
+        w().document().change(QStringLiteral("Edit"),
+                              [](Project& p) { p.operations[0]->common().tolerance = 0.6; });
+        QVERIFY(w().document().state(0) == OperationState::stale);
+        QFile::remove(folder_ + QStringLiteral("/other.facetmill"));
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(kept_files().isEmpty(), "what is of no use to the saved project goes");
+        QVERIFY(reopen());
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        QVERIFY(!w().verification().model().any());
+
+        // The mesh is another one under the same name.
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 1);
+        close_window();
+        const QString mesh = QString::fromStdString(load_project(job().toStdString()).part_path().string());
+        QByteArray bytes = file_content(mesh);
+        const auto stamp = std::filesystem::last_write_time(mesh.toStdString());
+        bytes[200] = char(bytes[200] ^ 1); // the last bits of a coordinate
+        QFile file(mesh);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        std::filesystem::last_write_time(mesh.toStdString(), stamp); // by its time nobody would know
+        QVERIFY(show_window());
+        w().open_file(job());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+    }
+
+    void damaged_it_is_not_used() {
+        QVERIFY(save_verified(QStringLiteral("kept_damaged")));
+        const auto programs = exported(QStringLiteral("before"));
+        const auto good = folder_contents(kept());
+        std::mt19937 random(5);
+        for (int i = 0; i < 6; ++i) {
+            for (auto it = good.begin(); it != good.end(); ++it) {
+                QByteArray torn = it.value();
+                if (i == 0)
+                    torn.truncate(torn.size() / 2);
+                else
+                    torn[qsizetype(random() % std::size_t(torn.size()))] ^= char(1 << (random() % 8));
+                QFile file(kept() + QChar('/') + it.key());
+                QVERIFY(file.open(QIODevice::WriteOnly) && file.write(torn) == torn.size());
+            }
+            QVERIFY(reopen());
+            QCOMPARE(w().document().state(0), OperationState::not_planned);
+            QVERIFY(!w().verification().model().any());
+            QVERIFY2(log().contains(QStringLiteral("damaged")), qPrintable(log()));
+            QVERIFY(w().message_bar().message().isEmpty());
+        }
+        // Planned again it is what it was.
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        auto after = exported(QStringLiteral("after"));
+        after[QStringLiteral("report.json")] = programs[QStringLiteral("report.json")]; // it has other times
+        QCOMPARE(after, programs);
+    }
+
+    void deleted_it_is_made_again() {
+        QVERIFY(save_verified(QStringLiteral("kept_deleted")));
+        close_window();
+        QVERIFY(QDir(kept()).removeRecursively());
+        QVERIFY(show_window());
+        w().open_file(job());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 1);
+    }
+
+    void saved_and_closed_at_once() {
+        folder_ = scratch_folder(QStringLiteral("kept_at_once"));
+        QVERIFY(open_and_plan());
+        QVERIFY(w().files().save_to(job()));
+        close_window();
+        QCOMPARE(kept_files().size(), 1);
+    }
+};
+
+FACETMILL_TEST(TestWindowKeptPlans)
+#include "test_window_kept_plans.moc"
