@@ -330,10 +330,16 @@ void KeptPlans::Reading::read_setup(std::size_t setup, Planner& planner, Planner
         const std::string fingerprint = ui::fingerprint(view, i);
         const std::string name = folder.name_of(plan_kind, ui::fingerprint(view, i, texts));
         if (!folder.has(name)) continue;
+        if (!own) {
+            try {
+                own = planner.prepare(view, reading.part(0, 0.1));
+            } catch (const Error&) {
+                return; // what it begins with is not known: it is planned again
+            }
+        }
         try {
-            const auto bytes = folder.read(name, reading.part(0, 0.4));
+            const auto bytes = folder.read(name, reading.part(0.1, 0.5));
             if (!bytes) throw Error(ErrorCode::syntax, name, "it is not as it was written", "plan again");
-            if (!own) own = planner.prepare(view, reading.part(0.4, 0.5));
             const auto result = result_from_bytes(*bytes, view, i, *own, reading.part(0.5, 1));
             planner.adopt(result);
             if (shown) shown->adopt(result);

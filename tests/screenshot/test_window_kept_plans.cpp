@@ -1,6 +1,9 @@
 // What was planned and verified is there again when a project is opened, without planning; what does not fit,
 // or is damaged, is not.
+#include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
+#include "tests/support/part_meshes.h"
+#include "ui/all_setups.h"
 #include "ui/cspace_controller.h"
 #include "ui/deviation_view.h"
 #include "ui/log_view.h"
@@ -22,6 +25,14 @@ using namespace facetmill::test;
 using ui::OperationState;
 
 namespace {
+
+constexpr const char* two_sides = R"({ "facetmill": 2, "units": "mm", "part": { "file": "block.stl" },
+  "tools": [ { "number": 1, "diameter": 6, "corner_radius": 3, "flute_length": 20, "shank_length": 30 } ],
+  "setups": [
+    { "name": "Top", "stock": { "kind": "box", "margin": [0, 0, 1] },
+      "operations": [ { "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.2, "clearance": 3 } ] },
+    { "name": "Bottom", "place": { "rotate": [180, 0, 0], "translate": [0, 30, 24] },
+      "operations": [ { "kind": "finish3", "name": "Below", "tool": 1, "tolerance": 0.2, "clearance": 3 } ] } ] })";
 
 QByteArray file_content(const QString& path) {
     QFile file(path);
@@ -208,6 +219,33 @@ private slots:
         w().plan();
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(kept_files().size(), 1);
+    }
+
+    /// What one setup leaves for the next one is kept, too.
+    void setups_go_on_with_what_was_left() {
+        folder_ = scratch_folder(QStringLiteral("kept_setups"));
+        save_stl(HollowedBlock::mesh(), (folder_ + "/block.stl").toStdString(), LengthUnit::mm, {});
+        QFile file(job());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(two_sides);
+        file.close();
+        w().open_file(job());
+        QVERIFY(wait_until_settled(w()));
+        w().planning().all_setups().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        QCOMPARE(kept_files().size(), 3); // two plans, and what stands between them
+        QVERIFY(reopen());
+        QVERIFY(!w().document().modified());
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().document().complete_plan());
+        w().tree().select({ui::TreeNode::Kind::setup, 1});
+        w().tree().go_to_setup_action()->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().document().has_stock());
+        QVERIFY(w().document().complete_plan());
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
     }
 
     void saved_and_closed_at_once() {

@@ -9,6 +9,7 @@
 #include "core/strategy/five_axis/five_axis_study.h"
 #include "core/strategy/global_local/rework_plan.h"
 #include "tests/property/shapes.h"
+#include "tests/property/turned_part.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -31,7 +32,7 @@ std::string file_bytes(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A hollow block with one operation of each kind that a mill of five axes can plan on it.
+/// A part with operations, planned.
 struct KeptJob {
     QTemporaryDir dir;
     fs::path root{dir.path().toStdString()};
@@ -39,23 +40,17 @@ struct KeptJob {
     Planner planner;
     std::shared_ptr<const PlanResult> plan;
 
-    explicit KeptJob(const std::string& operations, const std::string& machine = "tarus-tpi-2000") {
-        const auto bowl = [](double x, double y) {
-            return -5 * std::exp(-(x * x / 60 + y * y / 40)) + 0.02 * x;
-        };
-        save_stl(height_field(bowl, Vec2(-14, -10), Vec2(14, 10), 28, 20), root / "bowl.stl", LengthUnit::mm,
-                 {});
+    KeptJob(const Mesh& part, const std::string& setup, const std::string& operations) {
+        save_stl(part, root / "part.stl", LengthUnit::mm, {});
         project = parse_project(
-            R"({ "facetmill": 2, "units": "mm", "part": { "file": "bowl.stl" }, "tools": [)"
+            R"({ "facetmill": 2, "units": "mm", "part": { "file": "part.stl" }, "tools": [)"
             R"( { "number": 1, "diameter": 6, "corner_radius": 3, "flute_length": 20, "shank_length": 30 },)"
             R"( { "number": 2, "diameter": 2, "corner_radius": 1, "flute_length": 10, "shank_length": 30 },)"
             R"( { "number": 3, "diameter": 6, "corner_radius": 1, "flute_length": 20, "shank_length": 30 } ],)"
-            R"( "setups": [ { "name": "Top", "machine": ")"
-                + machine + R"(", "stock": { "kind": "box", "margin": [0, 0, 1] },)"
-                + R"( "boundaries": [ { "name": "Middle", "kind": "slope", "slope": [0, 60] } ],)"
-                + R"( "operations": [ )" + operations + " ] } ] }",
-            "bowl");
-        project.path = root / "bowl.facetmill";
+            R"( "setups": [ { "name": "Top", )"
+                + setup + R"(, "operations": [ )" + operations + " ] } ] }",
+            "part");
+        project.path = root / "part.facetmill";
         plan = planner.plan(project, {}, Progress());
     }
     /// What an operation came to, also nothing.
@@ -85,16 +80,31 @@ struct KeptJob {
     }
 };
 
-constexpr const char* kinds_of_bowl =
-    R"({ "kind": "rough", "name": "Rough", "tool": 3, "tolerance": 0.3, "depth": 2 },)"
-    R"({ "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.1, "boundary": "Middle" },)"
-    R"({ "kind": "finish5", "name": "Five", "tool": 3, "tolerance": 0.2, "grid_degrees": 15 },)"
-    R"({ "kind": "global_local", "name": "Local", "tool": 3, "tolerance": 0.2, "lead_limit": 10,)"
-    R"( "assumed_lead_limit": 40, "rework_tool": 2 },)"
-    R"({ "kind": "cleanup", "name": "Clean", "tool": 2, "tolerance": 0.1, "previous_tool": 1 })";
-
+/// One operation of each kind that a mill of five axes can plan on a bowl.
 const KeptJob& bowl() {
-    static const KeptJob job(kinds_of_bowl);
+    static const KeptJob job(
+        height_field([](double x, double y) { return -5 * std::exp(-(x * x / 60 + y * y / 40)) + 0.02 * x; },
+                     Vec2(-14, -10), Vec2(14, 10), 28, 20),
+        R"("machine": "tarus-tpi-2000", "stock": { "kind": "box", "margin": [0, 0, 1] },)"
+        R"( "boundaries": [ { "name": "Middle", "kind": "slope", "slope": [0, 60] } ])",
+        R"({ "kind": "rough", "name": "Rough", "tool": 3, "tolerance": 0.3, "depth": 2 },)"
+        R"({ "kind": "finish3", "name": "Finish", "tool": 1, "tolerance": 0.1, "boundary": "Middle" },)"
+        R"({ "kind": "finish5", "name": "Five", "tool": 3, "tolerance": 0.2, "grid_degrees": 15 },)"
+        R"({ "kind": "global_local", "name": "Local", "tool": 3, "tolerance": 0.2, "lead_limit": 10,)"
+        R"( "assumed_lead_limit": 40, "rework_tool": 2 },)"
+        R"({ "kind": "finish3", "name": "Tilted", "tool": 1, "tolerance": 0.2, "tool_axis": [0.3, 0, 1],)"
+        R"( "boundary": "Middle" },)"
+        R"({ "kind": "cleanup", "name": "Clean", "tool": 2, "tolerance": 0.1, "previous_tool": 1 })");
+    return job;
+}
+
+const KeptJob& rod() {
+    static const KeptJob job(
+        turned_part(36, 12, 24,
+                    [](double angle, double x) { return 8 + 1.2 * std::cos(3 * angle) + 0.02 * x; }),
+        R"("machine": "lathe-mill", "stock": { "kind": "cylinder", "axis": "x", "margin": [0, 1, 1] })",
+        R"({ "kind": "lathe_rough", "name": "Rough", "tool": 1, "tolerance": 0.3, "depth_of_cut": 2 },)"
+        R"({ "kind": "lathe_finish", "name": "Finish", "tool": 1, "tolerance": 0.2 })");
     return job;
 }
 
@@ -130,8 +140,14 @@ private slots:
         QCOMPARE(pieces.hash().hex(), hex(63));
     }
 
+    void every_kind_comes_back_as_it_was_data() {
+        QTest::addColumn<bool>("turns");
+        QTest::newRow("bowl") << false;
+        QTest::newRow("rod") << true;
+    }
     void every_kind_comes_back_as_it_was() {
-        const auto& job = bowl();
+        QFETCH(bool, turns);
+        const auto& job = turns ? rod() : bowl();
         const auto again = job.back();
         QCOMPARE(again->operations.size(), job.plan->operations.size());
         for (std::size_t i = 0; i < again->operations.size(); ++i) {
