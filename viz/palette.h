@@ -45,7 +45,8 @@ struct Colors {
     Rgb background_top, background_bottom;
     Rgb text, faint_text, panel, panel_border;
     Rgb part, part_back, feature_edges, mesh_edges;
-    Rgb former_part; ///< before it was replaced
+    Rgb former_part;                                     ///< before it was replaced
+    Rgb new_surface, new_surface_line, taken_away, hole; ///< of the scan room
     Rgb stock, cut_stock;
     Rgb fixture, chosen_fixture;
     Rgb boundary, avoided, boundary_line, avoided_line; ///< where operations cut within, and keep off

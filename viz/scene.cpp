@@ -49,14 +49,15 @@ struct Scene::Impl {
     ScenePaths paths{stage, part};
     SceneLevels levels{stage};
     SceneSupport support{stage};
+    SceneRepair repair{stage};
     SceneTool tool{stage};
     SceneStrips strips{stage, part};
     SceneMarks marks{stage};
     SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 14> layers{&part,   &boundaries, &former,   &stock,  &fixtures,
-                                             &levels, &support,    &findings, &strips, &marks,
-                                             &paths,  &deviation,  &tool,     &zero};
+    const std::array<SceneLayer*, 15> layers{&part,     &boundaries, &former,    &repair,   &stock,
+                                             &fixtures, &levels,     &support,   &findings, &strips,
+                                             &marks,    &paths,      &deviation, &tool,     &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -102,6 +103,7 @@ void Scene::Impl::apply_line_widths() {
 }
 
 ShownSurface Scene::Impl::surface() const {
+    if (repair.covers()) return ShownSurface::repair;
     if (boundaries.foremost()) return ShownSurface::part;
     if (stock.shows_cut()) return ShownSurface::cut_stock;
     return deviation.wanted() ? ShownSurface::deviation : ShownSurface::part;
@@ -176,8 +178,8 @@ void Scene::Impl::set_clipping_range() {
 
 bool Scene::Impl::shows_content() const {
     const SceneLayer &of_part = part, &of_deviation = deviation;
-    return of_part.has(Layer::part) || of_deviation.has(Layer::deviation) || stock.has_uncut()
-           || !paths.empty();
+    return repair.covers() || of_part.has(Layer::part) || of_deviation.has(Layer::deviation)
+           || stock.has_uncut() || !paths.empty();
 }
 
 std::vector<LegendEntry> Scene::Impl::legend() const {
@@ -300,6 +302,9 @@ SceneZero& Scene::zero() {
 }
 SceneSupport& Scene::support() {
     return impl_->support;
+}
+SceneRepair& Scene::repair() {
+    return impl_->repair;
 }
 
 SceneLevels& Scene::levels() {

@@ -23,6 +23,7 @@
 #include "viz/scene_levels.h"
 #include "viz/scene_part.h"
 #include "viz/scene_paths.h"
+#include "viz/scene_repair.h"
 #include "viz/scene_stock.h"
 #include "viz/scene_strips.h"
 #include "viz/scene_support.h"
@@ -62,6 +63,7 @@ public:
     SceneFindings& findings();
     SceneLevels& levels();
     SceneSupport& support();
+    SceneRepair& repair();
     SceneZero& zero();
     SceneStrips& strips();
     const SceneStrips& strips() const;

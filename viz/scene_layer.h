@@ -38,8 +38,9 @@ const std::vector<Layer>& all_layers();
 std::string_view layer_name(Layer layer);
 std::string_view layer_label(Layer layer);
 
-/// What is drawn where the part's surface is: cut stock and deviations stand for it.
-enum class ShownSurface { part, deviation, cut_stock };
+/// What is drawn where the part's surface is: cut stock, deviations and what a recipe makes of it stand for
+/// it.
+enum class ShownSurface { part, deviation, cut_stock, repair };
 
 /// What all layers of a scene share.
 struct SceneStage {

@@ -168,7 +168,8 @@ void ScenePart::apply_line_widths() {
 
 void ScenePart::apply_visibility(ShownSurface shown) {
     const bool wire = style_ == PartStyle::wire, coarse = stage_.moving && preview_.filled;
-    const bool cut = shown == ShownSurface::cut_stock, own = shown == ShownSurface::part;
+    const bool cut = shown == ShownSurface::cut_stock || shown == ShownSurface::repair,
+               own = shown == ShownSurface::part;
     const bool on = stage_.on(Layer::part) && !cut;
     surface_.show(on && !wire && !coarse && own);
     preview_.show(on && coarse && own);
