@@ -288,7 +288,7 @@ void BoundaryController::change(BoundaryBox::Change change) {
         break;
     }
     }
-    set_boundary_facets(document_, node_->index, marks, what);
+    tell_kept(set_boundary_facets(document_, node_->index, marks, what));
 }
 
 void BoundaryController::store_stroke() {
@@ -305,8 +305,17 @@ void BoundaryController::store_stroke() {
         shown->of_facets = long(marks.size());
     }
     storing_ = true;
-    set_boundary_facets(document_, node_->index, marks, tr("Paint facets"));
+    tell_kept(set_boundary_facets(document_, node_->index, marks, tr("Paint facets")));
     storing_ = false;
+}
+
+void BoundaryController::tell_kept(bool kept) {
+    if (!kept) return;
+    emit said(
+        MessageBar::Kind::information,
+        tr("The part's chord tolerance is fixed from now on: with another one the painted facets would be "
+           "others. A boundary of faces stays without that."),
+        true);
 }
 
 void BoundaryController::curve_changed() {

@@ -56,6 +56,7 @@ private:
     void start_job();
     void change(BoundaryBox::Change change);
     void store_stroke();
+    void tell_kept(bool kept);
     void store_curve();
     void curve_changed();
 

@@ -1,5 +1,6 @@
 #include "ui/boundary_list.h"
 
+#include "core/mesh/mesh_format.h"
 #include "ui/text.h"
 
 #include <algorithm>
@@ -89,15 +90,26 @@ void set_boundary_kind(Document& document, std::size_t i, Boundary::Kind kind) {
     });
 }
 
-void set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
+/// Facets that follow surfaces become others when the finest tolerance does, and what is painted would be
+/// lost: from now on they stay as they are.
+static void keep_facets(Project& project) {
+    const MeshFormat* format = mesh_format_named(project.part.file);
+    if (!format || !format->has_surfaces || project.part.chord_tolerance.is_number()) return;
+    project.part.chord_tolerance = {project.part_reading().chord, {}};
+}
+
+bool set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
                          const QString& what) {
     std::vector<Index> numbers;
     for (std::size_t f = 0; f < marks.size(); ++f)
         if (marks[f]) numbers.push_back(Index(f));
+    const bool kept = document.project().part.chord_tolerance.is_number();
     document.change(what, [&](Project& p) {
         p.boundaries.at(i).facets = facet_ranges_text(numbers);
         p.boundaries[i].of_facets = long(marks.size());
+        keep_facets(p);
     });
+    return document.project().part.chord_tolerance.is_number() && !kept;
 }
 
 void set_boundary_faces(Document& document, std::size_t i, const std::string& faces, const QString& what) {

@@ -20,10 +20,11 @@ void remove_boundary(Document& document, std::size_t i);
 void rename_boundary(Document& document, std::size_t i, const std::string& name);
 /// What it says of another kind stays, to come back to.
 void set_boundary_kind(Document& document, std::size_t i, Boundary::Kind kind);
-/// Facets of the part as it was read, one mark for each; `what` names the step.
-/// `faces`: numbers of faces of the part's file, as a project has them.
+/// `faces`: numbers of faces of the part's file, as a project has them; `what` names the step.
 void set_boundary_faces(Document& document, std::size_t i, const std::string& faces, const QString& what);
-void set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
+/// Facets of the part as it was read, one mark for each. Those of a file of surfaces would become others with
+/// the finest tolerance: the step fixes the part's chord tolerance where it is "auto", and this is true then.
+bool set_boundary_facets(Document& document, std::size_t i, const std::vector<char>& marks,
                          const QString& what);
 void set_boundary_curve(Document& document, std::size_t i, const std::vector<CurveCorner>& curve,
                         const QString& what);
