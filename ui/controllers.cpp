@@ -15,7 +15,9 @@
 #include "ui/point_picker.h"
 #include "ui/properties_panel.h"
 #include "ui/region_controller.h"
+#include "ui/repair_button.h"
 #include "ui/rough_controller.h"
+#include "ui/scan_controller.h"
 #include "ui/strip_controller.h"
 #include "ui/text.h"
 #include "ui/tool_controller.h"
@@ -76,11 +78,14 @@ void Controllers::build(const Parts& p, QWidget* window) {
     connect(picker, &PointPicker::picking_begun, measure_, &MeasureController::leave);
     connect(place_, &PlaceController::picking_begun, measure_, &MeasureController::leave);
     connect(boundaries, &BoundaryController::painting_begun, measure_, &MeasureController::leave);
+    scan_ = new ScanController(p.document, p.viewport, window);
+    p.tree.tree()->addAction(scan_->open_action());
+    connect(p.properties.repair_button(), &RepairButton::clicked, scan_, &ScanController::open);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
     all_ = {measure_, picker,  boundaries, verification_, rough_,  regions_, inspection_, unrolled_, cspace_,
-            tool_,    strips_, part_,      fixtures,      inputs_, place_,   paths_,      kept_};
+            tool_,    strips_, part_,      fixtures,      inputs_, place_,   scan_,       paths_,    kept_};
 }
 
 void Controllers::connect_document(const Document& document) {
@@ -111,6 +116,15 @@ void Controllers::connect_messages(const Document& document, Messages& messages)
         connect(controller, &Controller::settled, this, &Controllers::settled);
     }
     connect(&messages.bar(), &MessageBar::dismissed, part_, &PartController::forget_former);
+    connect(part_, &PartController::remarked, this, [this, &messages](const QString& remark) {
+        remark_ = remark;
+        messages.information(remark);
+        messages.offer({tr("Scan room"), [this] { scan_->open(); }});
+    });
+    // Whoever is there need not be told the way.
+    connect(scan_, &ScanController::opened, this, [this, &messages] {
+        if (!remark_.isEmpty() && messages.bar().message() == remark_) messages.dismiss();
+    });
     connect(verification_, &VerificationController::verified, this, [this, &messages] {
         messages.succeeded();
         emit verified();

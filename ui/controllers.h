@@ -30,6 +30,7 @@ class PlaceController;
 class PropertiesPanel;
 class RegionController;
 class RoughController;
+class ScanController;
 class StatusLine;
 class StripController;
 class ToolController;
@@ -68,6 +69,7 @@ public:
     PlaceController& place() { return *place_; }
     MeasureController& measure() { return *measure_; }
     KeptPlans& kept() { return *kept_; }
+    ScanController& scan() { return *scan_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -105,6 +107,8 @@ private:
     PlaceController* place_ = nullptr;
     MeasureController* measure_ = nullptr;
     KeptPlans* kept_ = nullptr;
+    ScanController* scan_ = nullptr;
+    QString remark_;               ///< of the part that was opened last
     std::vector<Controller*> all_; ///< in the order in which they are told
 };
 

@@ -24,6 +24,7 @@ constexpr std::pair<const char*, const char*> help_chapters[] = {
     {"unrolled_dock", "lathe.html#unrolled"},
     {"strips_dock", "operations.html#cleanup"},
     {"place_dock", "part.html#place"},
+    {"scan_dock", "scan_room.html"},
     {"log_dock", "planning.html#messages"},
     {"chart_dock", "simulation.html#charts"},
     {"tool_dialog", "tools.html#dialog"},
@@ -52,6 +53,7 @@ constexpr std::pair<const char*, const char*> help_scopes[] = {
     {"project_file", "export.html#controls"},
     {"verification", "verification.html#limits"},
     {"tools", "tools.html"},
+    {"part-repair", "scan_room.html"},
 };
 
 /// The entry of a parameter in the reference, or an empty text.

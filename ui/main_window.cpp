@@ -26,6 +26,7 @@
 #include "ui/report_view.h"
 #include "ui/rough_bar.h"
 #include "ui/rough_controller.h"
+#include "ui/scan_controller.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/status_line.h"
@@ -160,9 +161,11 @@ void MainWindow::build_docks() {
     docks_->add({"strips_dock", tr("Strips"), controllers_->strips().panel(), right, beside,
                  &controllers_->strips(), true});
     docks_->add({"place_dock", tr("Place part"), place.panel(), right, beside, &place, true});
-    docks_->show(report);
     docks_->add({"log_dock", tr("Log"), log_, bottom});
     docks_->add({"chart_dock", tr("Charts"), inspection().panel(), bottom, "log_dock", &inspection(), true});
+    ScanController& scan = controllers_->scan();
+    docks_->add({"scan_dock", tr("Scan room"), scan.panel(), right, beside, &scan, true});
+    docks_->show(report);
     tree_->set_verification(verification().model());
     tree_->tree()->installEventFilter(&verification());
     verification().panel()->findings()->installEventFilter(&verification());

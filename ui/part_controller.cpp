@@ -148,6 +148,7 @@ void PartController::show(const LoadedPart& loaded, bool new_view) {
         viewport_.set_view(StandardView::iso);
     else
         viewport_.refresh();
+    if (!loaded.remark.isEmpty()) emit remarked(loaded.remark);
 }
 
 void PartController::show_stock() {

@@ -22,6 +22,7 @@ struct LoadedPart {
     QString stock_failure; ///< why it, or fixtures, are not there though they should be
     std::string key;       ///< Document::part_key of what was read
     MeshFile part_file, stock_file;
+    QString remark; ///< of a mesh that was just opened: what may be mended
 };
 
 /// Reads the part and, where it is a mesh, the stock of a project. Throws Error.
@@ -53,6 +54,10 @@ public:
     void part_changed() override;
     /// Draws the stock's dimensions while it is selected.
     void node_chosen(const std::optional<TreeNode>& node) override;
+
+signals:
+    /// What is shown now has flaws that the scan room mends.
+    void remarked(const QString& remark);
 
 private:
     void note_change(const LoadedPart& loaded);

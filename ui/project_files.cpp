@@ -14,6 +14,7 @@
 #include "ui/messages.h"
 #include "ui/part_dialog.h"
 #include "ui/properties_panel.h"
+#include "ui/scan_words.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/unpack_dialog.h"
@@ -256,7 +257,8 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
     job_.start(
         tr("Reading %1").arg(elided(path_text(path.filename()), 30)),
         [loaded, probe = probe_of(path, unit), planner = planner_](const Progress& p) {
-            *loaded = load_part(*planner, probe, p);
+            *loaded = load_part(*planner, probe, p.part(0, 0.95));
+            loaded->remark = scan_remark(*loaded->part->mesh, loaded->part->report, p.part(0.95, 1));
         },
         [this, loaded, path, then](const JobEnd& end) {
             if (end.done()) {

@@ -80,6 +80,14 @@ void remove_from_list(Document& document, const TreeNode& node) {
         document.remove_operation(node.index);
 }
 
+/// What can be done with a tool, and with the part: actions of the tree that say so by their data.
+void add_own_actions(QMenu& menu, TreeNode::Kind kind, QAction* edit_tool, const QList<QAction*>& all) {
+    if (kind == TreeNode::Kind::tool) menu.addAction(edit_tool);
+    for (QAction* action : all)
+        if (kind == TreeNode::Kind::part && action->data().toString() == QLatin1String(part_action))
+            menu.addAction(action);
+}
+
 /// How the part may lie in a setup that is added.
 QMenu* setup_menu(QWidget* parent, const std::function<void(NewSetup)>& add) {
     auto* menu = new QMenu(ProjectTree::tr("Add setup"), parent);
@@ -486,7 +494,7 @@ void ProjectTree::menu(const QPoint& at) {
     const auto node = selected();
     QMenu menu(this);
     operations_->add_to(menu);
-    if (node && node->kind == TreeNode::Kind::tool) menu.addAction(edit_);
+    if (node) add_own_actions(menu, node->kind, edit_, tree_->actions());
     if (selected_setup()) menu.addAction(go_to_setup_);
     if (duplicate_->isEnabled()) {
         if (node->kind != TreeNode::Kind::tool) menu.addAction(rename_);

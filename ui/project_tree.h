@@ -116,6 +116,9 @@ private:
     bool rebuilding_ = false;
 };
 
+/// Data of actions of `ProjectTree::tree` that its menu offers for the part.
+inline constexpr const char* part_action = "part";
+
 /// What the tree can do, by the names that menus know it by.
 std::vector<std::pair<const char*, QAction*>> tree_commands(ProjectTree& tree);
 

@@ -14,6 +14,7 @@
 #include "ui/elided_label.h"
 #include "ui/icons.h"
 #include "ui/parameter_form.h"
+#include "ui/repair_button.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/tool_sketch.h"
@@ -211,13 +212,14 @@ QString scale_text(const PartSpec& part) {
         .arg(text(format_number(part.scale, 6)));
 }
 
-/// What the form of a part leaves out: its file, which is chosen elsewhere, and what says nothing of such a
-/// file.
+/// What the form of a part leaves out: its file and its recipe, which are chosen elsewhere, and what says
+/// nothing of such a file.
 std::vector<std::string> hidden_part_keys(const PartSpec& part) {
     const MeshFormat* format = mesh_format_named(part.file);
-    std::vector<std::string> hidden{"file"};
+    std::vector<std::string> hidden{"file", repair_list.key};
     if (!format || !format->has_objects) hidden.emplace_back("objects");
     if (format && !format->needs_unit()) hidden.emplace_back("units");
+    if (format && !format->has_surfaces) hidden.insert(hidden.end(), {"chord_tolerance", "angle_tolerance"});
     if (!format || !format->is_picture)
         hidden.insert(hidden.end(), relief_keys().begin(), relief_keys().end());
     return hidden;
@@ -385,6 +387,8 @@ PropertiesPanel::PropertiesPanel(Document& document, QWidget* parent) : QWidget(
     region_box->addWidget(edit_regions_);
     cutting_ = new CuttingButton(document_, content);
     region_box->addWidget(cutting_);
+    repair_ = new RepairButton(document_, content);
+    region_box->addWidget(repair_);
     column->addLayout(region_box);
     column->addWidget(form_);
     boundary_box_ = new BoundaryBox(content);
@@ -582,6 +586,7 @@ void PropertiesPanel::refresh() {
 
 void PropertiesPanel::show_boxes() {
     const bool operation = node_ && node_->kind == TreeNode::Kind::operation && document_.has_part();
+    repair_->show_part(node_ && node_->kind == TreeNode::Kind::part && document_.has_part());
     cutting_->set_operation(operation ? std::optional(node_->index) : std::nullopt);
     const auto& boundaries = document_.project().boundaries;
     const bool chosen = node_ && node_->kind == TreeNode::Kind::boundary && node_->index < boundaries.size();

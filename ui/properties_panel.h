@@ -17,6 +17,7 @@ class BoundaryBox;
 class CuttingButton;
 class ElidedLabel;
 class ParameterForm;
+class RepairButton;
 class ToolSketch;
 
 /// The project's tools for a form; with `none`, number 0 before them.
@@ -32,6 +33,7 @@ public:
     bool commit();
     ParameterForm* form() { return form_; }
     BoundaryBox* boundary_box() { return boundary_box_; }
+    RepairButton* repair_button() { return repair_; }
     /// Takes a point that was picked for a parameter of the operation shown; an axis becomes one through
     /// points.
     void take_point(const std::string& key, const Vec3& point);
@@ -69,6 +71,7 @@ private:
     ToolSketch* sketch_ = nullptr;
     BoundaryBox* boundary_box_ = nullptr;
     CuttingButton* cutting_ = nullptr;
+    RepairButton* repair_ = nullptr;
     QPushButton *edit_tool_ = nullptr, *choose_mesh_ = nullptr, *edit_regions_ = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/setup/machine.h"
 #include "core/strategy/global_local/rework_plan.h"
+#include "ui/scan_words.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 
@@ -164,6 +165,11 @@ QString ReportView::part_html() const {
     for (const std::string& word : r.warnings)
         html += note(sentence(text(explain_warning(word))), signal.attention);
     if (list.isEmpty() && r.warnings.empty()) html += note(tr("No defects found."), signal.good);
+    if (part->repairs.empty()) return html;
+    html += note(tr("The recipe of the scan room was carried out"), signal.good);
+    for (const StepReport& step : part->repairs)
+        html += QStringLiteral("<p style=\"margin:2px 0\"><b>%1</b>: %2</p>")
+                    .arg(step_name(step.kind).toHtmlEscaped(), step_result(step, -1, unit).toHtmlEscaped());
     return html;
 }
 

@@ -17,6 +17,7 @@
 #include "ui/program_export.h"
 #include "ui/project_files.h"
 #include "ui/properties_panel.h"
+#include "ui/scan_controller.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/templates.h"
@@ -143,6 +144,14 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   [&w] { return w.document().has_part(); },
                   {},
                   tr("Lay the part on a face, turn, move or mirror it (P)")});
+    commands.add({"scan_room",
+                  tr("&Scan room…"),
+                  {},
+                  {QKeySequence(Qt::Key_R)},
+                  [&w] { w.controllers().scan().open(); },
+                  [&w] { return w.document().has_part(); },
+                  {},
+                  tr("Mend the part's mesh: loose pieces, holes, noise, facets (R)")});
     const auto can_plan = [&w] { return w.planning().can_plan(); };
     commands.add({"plan",
                   tr("&Plan"),

@@ -142,8 +142,8 @@ bool WindowDocks::make_room() {
     if (parameters->isFloating() || window_.dockWidgetArea(parameters) != Qt::LeftDockWidgetArea)
         return false;
     bool moved = false;
-    for (const char* name :
-         {"report_dock", "verification_dock", "cspace_dock", "strips_dock", "unrolled_dock", "place_dock"}) {
+    for (const char* name : {"report_dock", "verification_dock", "cspace_dock", "strips_dock",
+                             "unrolled_dock", "place_dock", "scan_dock"}) {
         QDockWidget* dock = docks_.at(QLatin1String(name));
         if (!stands_right(dock) || dock->isHidden()) continue;
         window_.tabifyDockWidget(parameters, dock);
@@ -167,9 +167,10 @@ void WindowDocks::go_back() {
     if (beside_report(verification)) {
         window_.tabifyDockWidget(report, verification);
         for (QDockWidget* dock :
-             {at("cspace_dock"), at("strips_dock"), at("unrolled_dock"), at("place_dock")})
+             {at("cspace_dock"), at("strips_dock"), at("unrolled_dock"), at("place_dock"), at("scan_dock")})
             if (beside_report(dock)
-                && !((dock == at("strips_dock") || dock == at("place_dock")) && dock->isHidden()))
+                && !((dock == at("strips_dock") || dock == at("place_dock") || dock == at("scan_dock"))
+                     && dock->isHidden()))
                 window_.tabifyDockWidget(verification, dock);
         report->raise();
     }

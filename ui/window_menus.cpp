@@ -61,6 +61,7 @@ std::vector<MenuTable> menus() {
           "redo",
           "-",
           "place",
+          "scan_room",
           "-",
           "add_operation",
           "add_tool",
@@ -85,7 +86,7 @@ std::vector<MenuTable> menus() {
          Entries{"see_prepare", "see_plan", "see_verify", "see_simulate", "-"} + views()
              + Entries{"perspective", "measure", "-", "shading_menu", "colour_menu", "-", "project_dock",
                        "properties_dock", "report_dock", "verification_dock", "cspace_dock", "unrolled_dock",
-                       "strips_dock", "place_dock", "chart_dock", "log_dock", "tool_bar"}},
+                       "strips_dock", "place_dock", "scan_dock", "chart_dock", "log_dock", "tool_bar"}},
         {"plan_menu",
          tr("&Plan"),
          {"plan", "verify", "-", "plan_all", "verify_all", "-", "cancel", "-", "export"}},

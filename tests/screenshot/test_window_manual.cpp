@@ -18,6 +18,7 @@
 #include "ui/properties_panel.h"
 #include "ui/region_controller.h"
 #include "ui/region_dialog.h"
+#include "ui/scan_controller.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/theme.h"
@@ -67,6 +68,18 @@ Mesh relief() {
             return 5 + 2.5 * std::sin(x / 9) * std::cos(y / 11) + 1.5 * std::cos((x + y) / 17);
         },
         Vec2(0, 0), Vec2(80, 60), 80, 60);
+}
+
+/// A dome of 40 mm as a scanner might have seen it: rough, with two holes, and something that is none of it.
+Mesh scanned_dome() {
+    Mesh mesh = only(dome(20, 60), [](const Vec3& p) {
+        return (p - Vec3(-8, -12, 14)).norm() > 3.2 && (p - Vec3(9, -14, 11)).norm() > 1.8;
+    });
+    for (Vec3& v : mesh.vertices)
+        if (v.z() > 0.5) v *= 1 + 0.004 * std::sin(90 * v.x()) * std::cos(70 * v.y() + 40 * v.z());
+    append_mesh(mesh, box(Vec3(14, -20, 4), Vec3(15.5, -19, 5)));
+    append_mesh(mesh, box(Vec3(-17, -17, 9), Vec3(-16, -16, 10.2)));
+    return mesh;
 }
 
 /// Where pictures go, or an empty text.
@@ -137,6 +150,8 @@ class TestWindowManual : public QObject, private WindowFixture {
                     all << plain((*i)->text(0));
         };
         w().properties().boundary_box()->show_kind(Boundary::Kind::facets, LengthUnit::mm);
+        choose(QStringLiteral("Scan room")); // what the file holds is listed once it is seen
+        (void)wait_until_settled(w());
         take(&w());
         for (const TreeNode::Kind kind : {TreeNode::Kind::part, TreeNode::Kind::stock, TreeNode::Kind::limits,
                                           TreeNode::Kind::machine, TreeNode::Kind::tool}) {
@@ -577,6 +592,28 @@ private slots:
                 box->click();
         QVERIFY(wait_until_settled(w()));
         picture(w().viewport(), QStringLiteral("regions"));
+    }
+
+    void pictures_of_the_scan_room() {
+        if (picture_folder().isEmpty()) QSKIP("made by packaging/manual-pictures");
+        const QString path = scratch_folder(QStringLiteral("dome")) + QStringLiteral("/dome.stl");
+        save_stl(scanned_dome(), path.toStdString(), LengthUnit::mm, {});
+        w().open_file(path, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        w().viewport().set_view(StandardView::front);
+        choose(QStringLiteral("Scan room"));
+        QVERIFY(wait_until_settled(w()));
+        click("scan_suggest");
+        auto* steps = w().findChild<QListWidget*>(QStringLiteral("scan_steps"));
+        steps->setCurrentRow(steps->count() - 1);
+        choose(QStringLiteral("Smooth noise"));
+        type_over(w().controllers().scan().panel()->form()->findChild<QLineEdit*>(QStringLiteral("bound")),
+                  QStringLiteral("0.1"));
+        click("scan_preview");
+        QTest::qWait(20); // the list is laid out
+        picture(w(), QStringLiteral("scan_after"));
+        click("scan_before");
+        picture(w().viewport(), QStringLiteral("scan_before"));
     }
 };
 
