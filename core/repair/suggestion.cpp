@@ -94,6 +94,7 @@ RepairStep starting_step(Kind kind, const Box3& box, LengthUnit unit) {
     switch (kind) {
     case Kind::pieces:
     case Kind::crossings:
+    case Kind::fins:
         step.size = round_below(place_size * size, unit);
         break;
     case Kind::holes:

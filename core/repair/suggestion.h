@@ -10,7 +10,8 @@
 
 namespace facetmill {
 
-/// A step of this kind with amounts that fit a mesh of the box's size: round numbers in `unit`.
+/// A step of this kind with amounts that fit a mesh of the box's size: round numbers in `unit`. A scan that
+/// is joined on lacks its file.
 RepairStep starting_step(RepairStep::Kind kind, const Box3& box, LengthUnit unit);
 
 /// Steps for what the survey of the mesh found, in the order pieces, turn, needles, holes; those that would
