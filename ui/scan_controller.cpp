@@ -5,16 +5,36 @@
 #include "ui/scan_rows.h"
 #include "ui/scan_view.h"
 #include "ui/scan_words.h"
+#include "ui/settings.h"
 #include "ui/text.h"
 
 #include <QAction>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QKeyEvent>
 
 #include <algorithm>
 #include <utility>
 
 namespace facetmill::ui {
+
+namespace {
+
+/// False where the user gives up.
+bool ask_for_scan(RepairStep& step, QWidget* window) {
+    const QString file =
+        QFileDialog::getOpenFileName(window, ScanController::tr("Scan that goes on where this one ends"),
+                                     settings::last_folder(), mesh_filters());
+    step.file = path_of(file).string();
+    return !file.isEmpty();
+}
+
+/// What fields know by name.
+NamedLengths lengths_of(const Vec3& size) {
+    return {{"part.x", size.x()}, {"part.y", size.y()}, {"part.z", size.z()}};
+}
+
+} // namespace
 
 ScanController::ScanController(Document& document, Viewport& viewport, QWidget* window)
     : Controller(window), document_(document), panel_(new ScanPanel(window)),
@@ -135,6 +155,10 @@ void ScanController::follow_project() {
         side_ = Side::none;
         job_.cancel();
     }
+    if (trial_ && !trial_->is_current()) {
+        trial_ = known_ = nullptr;
+        side_ = Side::none;
+    }
 }
 
 void ScanController::refresh() {
@@ -189,9 +213,11 @@ void ScanController::change(std::vector<RepairStep> recipe, std::optional<std::s
 
 void ScanController::add(RepairStep::Kind kind) {
     if (!scan_) return;
+    RepairStep step = starting_step(kind, scan_->box, document_.unit());
+    if (kind == RepairStep::Kind::join && !ask_for_scan(step, panel_)) return;
     std::vector<RepairStep> recipe = draft_;
     const std::size_t at = chosen_ ? *chosen_ + 1 : recipe.size();
-    recipe.insert(recipe.begin() + std::ptrdiff_t(at), starting_step(kind, scan_->box, document_.unit()));
+    recipe.insert(recipe.begin() + std::ptrdiff_t(at), step);
     change(std::move(recipe), at);
 }
 
@@ -220,25 +246,17 @@ bool ScanController::is_tried() const {
 }
 
 TriedStepPtr ScanController::tried(std::size_t i) const {
-    if (draft_[i].off) return nullptr;
     for (const ScanTrialPtr& trial : {trial_, known_}) {
-        if (!trial) continue;
-        std::size_t at = 0;
-        for (std::size_t k = 0; k <= i; ++k) {
-            if (draft_[k].off) continue;
-            if (at >= trial->steps.size() || !(trial->steps[at]->step == draft_[k])) break;
-            if (k == i) return trial->steps[at];
-            ++at;
-        }
+        if (!trial || i >= trial->recipe.size()) continue;
+        if (std::equal(draft_.begin(), draft_.begin() + std::ptrdiff_t(i) + 1, trial->recipe.begin()))
+            return trial->step(i);
     }
     return nullptr;
 }
 
 void ScanController::preview() {
     if (!scan_ || job_.running()) return;
-    auto trial = std::make_shared<ScanTrial>();
-    trial->recipe = draft_;
-    trial->before = scan_;
+    const std::shared_ptr<ScanTrial> trial = new_trial(document_.project(), draft_, scan_);
     const MeshPlace at = MeshPlace::of(document_.project().placed_part());
     job_.start(
         tr("Trying the recipe"),
@@ -338,10 +356,8 @@ void ScanController::show_step() {
         panel_->show_parameters(nullptr, document_.unit(), {});
         return panel_->show_remark({}, false);
     }
-    const Vec3 size = scan_->box.size();
-    const NamedLengths names{{"part.x", size.x()}, {"part.y", size.y()}, {"part.z", size.z()}};
     RepairStep step = draft_[*chosen_];
-    panel_->show_parameters(&step, document_.unit(), names);
+    panel_->show_parameters(&step, document_.unit(), lengths_of(scan_->box.size()));
     const QString wrong = step_problem(draft_[*chosen_]);
     panel_->show_remark(wrong.isEmpty() ? step_remark(*scan_, draft_, *chosen_) : wrong, !wrong.isEmpty());
 }

@@ -1,6 +1,7 @@
 #include "ui/scan_study.h"
 
 #include "core/job/placed_mesh.h"
+#include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/text.h"
 
@@ -17,7 +18,7 @@ using StepKind = RepairStep::Kind;
 /// Others make surface that was not there.
 bool only_changes(StepKind kind) {
     return kind == StepKind::pieces || kind == StepKind::turn || kind == StepKind::needles
-           || kind == StepKind::smooth || kind == StepKind::decimate;
+           || kind == StepKind::smooth || kind == StepKind::decimate || kind == StepKind::fins;
 }
 
 ScannedMeshPtr surveyed(MeshPtr mesh, MeshReport report, const Progress& progress) {
@@ -35,12 +36,13 @@ ScannedMeshPtr surveyed(MeshPtr mesh, MeshReport report, const Progress& progres
     return scan;
 }
 
-TriedStepPtr carry_out(const RepairStep& step, const MeshPtr& mesh, const std::vector<char>& added,
-                       const Progress& progress) {
+TriedStepPtr carry_out(const RepairStep& step, const MeshReading& reading, const MeshPtr& mesh,
+                       const std::vector<char>& added, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     auto tried = std::make_shared<TriedStep>();
     tried->step = step;
-    Repaired done = run_recipe(mesh, {step}, progress.part(0, 0.8));
+    tried->key = recipe_key({step}); // before: a file that changes meanwhile is read again
+    Repaired done = run_recipe(mesh, {step}, progress.part(0, 0.8), reading);
     tried->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     tried->report = std::move(done.steps.front());
     tried->mesh = std::move(done.mesh);
@@ -73,6 +75,24 @@ TriedStepPtr ScanTrial::step(std::size_t i) const {
     return at < steps.size() ? steps[at] : nullptr;
 }
 
+bool ScanTrial::is_current() const {
+    return std::all_of(steps.begin(), steps.end(), [](const TriedStepPtr& tried) {
+        return tried->step.file.empty() || tried->key == recipe_key({tried->step});
+    });
+}
+
+std::shared_ptr<ScanTrial> new_trial(const Project& project, const std::vector<RepairStep>& recipe,
+                                     const ScannedMeshPtr& before) {
+    Project asked = project;
+    asked.part.repair = recipe;
+    auto trial = std::make_shared<ScanTrial>();
+    trial->recipe = recipe;
+    trial->located = asked.part_recipe();
+    trial->reading = asked.part_reading();
+    trial->before = before;
+    return trial;
+}
+
 void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& place, LengthUnit unit,
                 const Progress& progress) {
     const auto count = std::size_t(
@@ -84,16 +104,16 @@ void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& pl
     double moved = 0;
     const Progress running = progress.part(0, 0.7);
     for (std::size_t i = 0; i < trial.recipe.size(); ++i) {
-        const RepairStep& step = trial.recipe[i];
+        const RepairStep& step = trial.located[i];
         if (step.off) continue;
         const std::size_t at = trial.steps.size();
-        as_before = as_before && at < known->steps.size() && known->steps[at]->step == step;
+        as_before = as_before && at < known->steps.size() && known->steps[at]->key == recipe_key({step});
         const double share = 1 / double(count);
         try {
-            trial.steps.push_back(
-                as_before
-                    ? known->steps[at]
-                    : carry_out(step, mesh, added, running.part(double(at) * share, double(at + 1) * share)));
+            trial.steps.push_back(as_before
+                                      ? known->steps[at]
+                                      : carry_out(step, trial.reading, mesh, added,
+                                                  running.part(double(at) * share, double(at + 1) * share)));
         } catch (const Error& e) {
             trial.failed = i;
             trial.failure = failure_text(e);

@@ -38,7 +38,8 @@ ScannedMeshPtr read_scan(const Project& project, const Progress& progress);
 
 /// What one step came to.
 struct TriedStep {
-    RepairStep step;
+    RepairStep step; ///< its file where it is looked for
+    std::string key; ///< of the step and its file as they were
     StepReport report;
     MeshPtr mesh;            ///< after it
     std::vector<char> added; ///< of its facets: surface that the scan had not
@@ -49,7 +50,8 @@ using TriedStepPtr = std::shared_ptr<const TriedStep>;
 
 /// What a recipe comes to.
 struct ScanTrial {
-    std::vector<RepairStep> recipe;
+    std::vector<RepairStep> recipe, located; ///< as it is edited; with files where they are looked for
+    MeshReading reading;                     ///< of scans that are joined on
     ScannedMeshPtr before;
     std::vector<TriedStepPtr> steps; ///< of the recipe's steps that are not off, as far as it came
     ScannedMeshPtr after;            ///< null where it did not come to the end
@@ -59,11 +61,17 @@ struct ScanTrial {
 
     /// What a step of the recipe came to; null where it is off or was not reached.
     TriedStepPtr step(std::size_t i) const;
+    /// False once a file that a step has read was written anew.
+    bool is_current() const;
 };
 
 using ScanTrialPtr = std::shared_ptr<const ScanTrial>;
 
-/// Fills `trial`, whose recipe and `before` are there, as it goes on: what was done by the time that it is
+/// A recipe for the part of a project, to be tried on its mesh as it is.
+std::shared_ptr<ScanTrial> new_trial(const Project& project, const std::vector<RepairStep>& recipe,
+                                     const ScannedMeshPtr& before);
+
+/// Fills a new trial as it goes on: what was done by the time that it is
 /// cancelled or fails stays. `known`: a trial of before, of the same mesh; may be null. Throws what
 /// run_recipe throws.
 void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& place, LengthUnit unit,

@@ -38,6 +38,8 @@ constexpr KindWords kind_words[] = {
     {StepKind::cut, "Cut by a plane", "Takes away what lies beyond a plane and closes the section."},
     {StepKind::thicken, "Thicken a sheet", "Gives a sheet a back and walls, so that it becomes a solid."},
     {StepKind::crossings, "Crossings", "Makes the surface anew where it runs through itself."},
+    {StepKind::join, "Join a scan", "Goes on with another scan where this one ends; the two overlap."},
+    {StepKind::fins, "Fins", "Takes sheets away that hang on the surface and end in the open."},
 };
 
 const KindWords* words_of(StepKind kind) {
@@ -64,6 +66,9 @@ constexpr CountWords count_words[] = {
     {"facets_divided", "facet divided", "facets divided"},
     {"facets_in_no_sheet", "facet left out: more than two on an edge",
      "facets left out: more than two on an edge"},
+    {"facets_joined", "facet joined on", "facets joined on"},
+    {"facets_of_seam", "facet of the seam", "facets of the seam"},
+    {"facets_overlapping", "facet gone where both lie", "facets gone where both lie"},
     {"facets_remade", "facet made anew", "facets made anew"},
     {"facets_removed", "facet gone", "facets gone"},
     {"filled", "hole filled", "holes filled"},
@@ -73,6 +78,7 @@ constexpr CountWords count_words[] = {
     {"pieces_left", "", ""}, // the list says how many
     {"pieces_removed", "piece gone", "pieces gone"},
     {"places_left_larger", "larger place left", "larger places left"},
+    {"seams_left_open", "seam left open", "seams left open"},
     {"section_facets", "facet in the section", "facets in the section"},
     {"sections_left_open", "section left open", "sections left open"},
     {"sheet_ends", "end of a sheet", "ends of sheets"},
@@ -128,6 +134,9 @@ QString step_problem(const RepairStep& step) {
 QString step_amount(const RepairStep& step, LengthUnit unit) {
     const auto length = [&](double mm) { return shown_length(mm, unit, 4); };
     switch (step.kind) {
+    case StepKind::join:
+        return elided(path_text(path_of(text(step.file)).filename()), 24);
+    case StepKind::fins:
     case StepKind::pieces:
         return step.size > 0 ? in_words("below %1").arg(length(step.size)) : QString();
     case StepKind::holes:

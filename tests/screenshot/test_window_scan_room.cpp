@@ -27,6 +27,7 @@
 #include <QTreeWidget>
 
 #include <cmath>
+#include <filesystem>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -37,7 +38,7 @@ namespace {
 /// A block of 24 x 18 x 8 mm in squares of 1 mm, its top rough by 0.03 mm and without 3 x 3 squares, its
 /// bottom without 2 x 2, with `more` another hole in the top; one facet faces inward, and a loose sheet of 2
 /// x 2 mm lies above it.
-Mesh scan(bool more = false) {
+Mesh rough_block(bool more = false) {
     Mesh mesh;
     static constexpr int size[3] = {24, 18, 8};
     const auto rough = [](Vec3 p) {
@@ -77,7 +78,7 @@ Mesh scan(bool more = false) {
 
 QString write_scan(const QString& folder, bool more = false) {
     const QString path = folder + QStringLiteral("/a scan with rather a long name of many words.stl");
-    save_stl(scan(more), path.toStdString(), LengthUnit::mm, {});
+    save_stl(rough_block(more), path.toStdString(), LengthUnit::mm, {});
     return path;
 }
 
@@ -269,6 +270,31 @@ private slots:
         QVERIFY2(step_text(1).contains(QStringLiteral("leaves no facet")), qPrintable(step_text(1)));
         QVERIFY(!shown() && !w().document().undo_stack().canUndo());
         shot(w(), QStringLiteral("scan-failed"));
+    }
+
+    /// Another scan is asked for; without one there is no step.
+    void a_scan_to_join_is_asked_for() {
+        open_room();
+        bool asked = false;
+        answer_file_dialog(asked);
+        add("add_join");
+        QVERIFY(asked && scan().recipe().empty());
+        // The same block, half its length on.
+        Mesh other = rough_block();
+        for (Vec3& v : other.vertices)
+            v.x() += 12;
+        const QString file = folder_ + QStringLiteral("/other.stl");
+        save_stl(other, file.toStdString(), LengthUnit::mm, {});
+        asked = false;
+        answer_file_dialog(asked, file);
+        add("add_join");
+        QVERIFY(asked && scan().recipe().size() == 1 && scan().recipe()[0].kind == Kind::join);
+        QVERIFY(std::filesystem::equivalent(scan().recipe()[0].file, file.toStdString()));
+        QVERIFY2(step_text(0).contains(QStringLiteral("other.stl")), qPrintable(step_text(0)));
+        press("scan_preview");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(scan().trial());
+        shot(w(), QStringLiteral("scan-join"));
     }
 
     void a_preview_that_is_stopped_leaves_nothing() {
