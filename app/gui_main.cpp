@@ -4,6 +4,7 @@
 #include "facetmill_version.h"
 #include "ui/autosave.h"
 #include "ui/export.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/project_files.h"
 #include "ui/project_tree.h"
@@ -50,7 +51,7 @@ void message_handler(QtMsgType type, const QMessageLogContext&, const QString& m
 
 /// Options are read before there is an application, so that --help needs no display.
 struct Options {
-    QString file, screenshot, theme;
+    QString file, screenshot, theme, language;
     std::optional<LengthUnit> unit;
     QSize size;
     QStringList programs;
@@ -91,7 +92,10 @@ Options read_options(int argc, char** argv) {
     const QCommandLineOption theme(QStringLiteral("theme"),
                                    QStringLiteral("Colours for this start: system, light or dark."),
                                    QStringLiteral("NAME"));
-    parser.addOptions({help, version, plan, cl, verify, units, screenshot, size, theme});
+    const QCommandLineOption language(QStringLiteral("language"),
+                                      QStringLiteral("Language for this start: en, de or fr."),
+                                      QStringLiteral("CODE"));
+    parser.addOptions({help, version, plan, cl, verify, units, screenshot, size, theme, language});
     parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Project or mesh to open."),
                                  QStringLiteral("[FILE]"));
     const auto usage = [&](const QString& what) {
@@ -146,6 +150,9 @@ Options read_options(int argc, char** argv) {
     if (parser.isSet(theme) && options.theme != QLatin1String("system")
         && ui::theme_from_name(options.theme) == ui::Theme::system)
         return usage(QStringLiteral("--theme: use system, light or dark"));
+    options.language = parser.value(language);
+    if (parser.isSet(language) && ui::language_for(options.language) != options.language)
+        return usage(QStringLiteral("--language: use en, de or fr"));
     return options;
 }
 
@@ -220,14 +227,15 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(FACETMILL_VERSION));
     QApplication app(argc, argv);
     starting = false;
+    ui::speak(options.language.isEmpty() ? ui::settings::language() : options.language);
     if (const QString why = ui::Viewport::why_unavailable(); !why.isEmpty()) {
         std::fprintf(stderr, "facetmill: %s (install a graphics driver, or use facetmill-cli)\n",
                      qPrintable(why));
         if (options.screenshot.isEmpty() && QGuiApplication::platformName() != QLatin1String("offscreen"))
             QMessageBox::critical(
                 nullptr, QStringLiteral("Facetmill"),
-                QStringLiteral("The 3D view cannot be shown: %1.\n\nInstall a graphics driver, or use "
-                               "facetmill-cli.")
+                QObject::tr(
+                    "The 3D view cannot be shown: %1.\n\nInstall a graphics driver, or use facetmill-cli.")
                     .arg(why));
         return 1;
     }

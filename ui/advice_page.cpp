@@ -20,7 +20,7 @@ constexpr double no_advice = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_in_minutes = 300 * 60; ///< beyond it the axis of time counts hours
 
 QString advice_angle(double radians) {
-    return text(format_number(degrees(radians), 3)) + QChar(0x00B0);
+    return number_text(degrees(radians), 3) + QChar(0x00B0);
 }
 
 /// A chart that is zoomed stays so.
@@ -100,7 +100,7 @@ QString AdvicePage::estimate_text(const StrategyEstimate& e) const {
     const QString regions = e.regions == 1 ? tr("1 region") : tr("%1 regions").arg(count_text(e.regions));
     return tr("main %1 + rework %2 = %3; %4, %5 % of the surface")
         .arg(duration_text(e.main_seconds), duration_text(e.rework_seconds), duration_text(e.seconds()),
-             regions, text(format_number(100 * e.rework_share, 2)));
+             regions, number_text(100 * e.rework_share, 2));
 }
 
 void AdvicePage::show_advice(const ToolAdvice& advice, double diameter, double lead_limit) {

@@ -3,6 +3,7 @@
 #include "ui/messages.h"
 #include "ui/project_files.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -76,7 +77,7 @@ void Autosave::keep() {
         if (!told_)
             messages_.warning(
                 tr("What is not saved cannot be kept for the case of a crash: %1. Save the project.")
-                    .arg(text(e.what())));
+                    .arg(worded(e)));
         told_ = true;
         timer_.start(); // there may be room by then
     }
@@ -140,7 +141,7 @@ bool Autosave::restore(std::unique_ptr<KeptWork> work) {
         restored_ = std::move(work);
         files_.restore(std::move(project), name);
     } catch (const Error& e) {
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         return false;
     }
     messages_.information(tr("Restored “%1” as it stood on %2. Save it: until then it is kept in %3.")

@@ -1,5 +1,6 @@
 #include "ui/axis_dialog.h"
 
+#include "ui/number_box.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
 
@@ -38,7 +39,7 @@ AxisDialog::AxisDialog(const QString& operation, const Vec3& axis, QWidget* pare
                    this);
     head->setWordWrap(true);
     const auto field = [&](const char* name, double low, double high, double value, const QString& tip) {
-        auto* box = new QDoubleSpinBox(this);
+        auto* box = new NumberBox(this);
         box->setObjectName(QLatin1String(name));
         box->setDecimals(4);
         box->setRange(low, high);
@@ -77,9 +78,8 @@ Vec3 AxisDialog::axis() const {
 void AxisDialog::show_direction() {
     towards_->setEnabled(tilt_->value() > 0 && tilt_->value() < 180);
     const Vec3 a = axis();
-    const auto number = [](double v) { return QString::number(v, 'g', 5); };
-    direction_->setText(number(a.x()) + QStringLiteral(", ") + number(a.y()) + QStringLiteral(", ")
-                        + number(a.z()));
+    const auto number = [](double v) { return in_user_numbers(QString::number(v, 'g', 5)); };
+    direction_->setText(number_list({number(a.x()), number(a.y()), number(a.z())}));
 }
 
 void ask_tool_axis(Document& document, std::size_t operation, QWidget* window) {

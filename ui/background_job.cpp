@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <new>
 
@@ -27,11 +28,11 @@ JobEnd run_guarded(const BackgroundJob::Work& work, Job& job) {
         return {JobEnd::How::cancelled, {}};
     } catch (const std::bad_alloc&) {
         return {JobEnd::How::failed,
-                QStringLiteral("Not enough memory (close other programs or use a smaller part)")};
+                QObject::tr("Not enough memory (close other programs or use a smaller part)")};
     } catch (const std::exception& e) {
-        return {JobEnd::How::failed, text(e.what())};
+        return {JobEnd::How::failed, worded(std::string_view(e.what()))};
     } catch (...) {
-        return {JobEnd::How::failed, QStringLiteral("An unknown exception ended the job")};
+        return {JobEnd::How::failed, QObject::tr("An unknown exception ended the job")};
     }
 }
 
@@ -86,7 +87,7 @@ void BackgroundJob::cancel() {
 }
 
 void BackgroundJob::poll() {
-    if (current_) emit progressed(current_->job.fraction(), text(current_->job.label()));
+    if (current_) emit progressed(current_->job.fraction(), worded(current_->job.label()));
 }
 
 void BackgroundJob::finish(const std::shared_ptr<Run>& run) {

@@ -2,6 +2,7 @@
 
 #include "ui/flow_layout.h"
 #include "ui/icons.h"
+#include "ui/number_box.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -19,7 +20,7 @@ namespace {
 constexpr int row_gap = 4;
 
 QDoubleSpinBox* number_box(QWidget* parent, const char* name, double most, int decimals) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setObjectName(QLatin1String(name));
     box->setDecimals(decimals);
     box->setMaximum(most);

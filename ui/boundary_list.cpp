@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh_format.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 
@@ -133,7 +134,7 @@ QString boundary_extent(const Boundary& boundary) {
         return Document::tr("%1 of %2 facets")
             .arg(count_text(facet_ranges(boundary.facets, all ? all : no_index).size()), count_text(all));
     } catch (const Error& e) {
-        return sentence(text(e.what()));
+        return sentence(worded(e));
     }
 }
 

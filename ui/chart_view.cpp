@@ -1,5 +1,7 @@
 #include "ui/chart_view.h"
 
+#include "ui/text.h"
+
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ constexpr double zoom_step = 1.25;
 
 QString tick_text(double v, double step) {
     const int digits = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
-    return QString::number(v, 'f', digits).replace(QChar('-'), QChar(0x2212));
+    return in_user_numbers(QString::number(v, 'f', digits)).replace(QChar('-'), QChar(0x2212));
 }
 
 ChartView::ChartView(QWidget* parent) : QWidget(parent) {

@@ -9,6 +9,7 @@
 #include "ui/export.h"
 #include "ui/shown_paths.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QFileInfo>
 #include <QImage>
@@ -291,7 +292,7 @@ void CSpaceController::show_choice(std::size_t choice) {
     show_kept();
     panel_->view()->scene().set_probe(std::nullopt);
     panel_->view()->refresh();
-    const QString name = text(cspace_choice_label(choice));
+    const QString name = worded(cspace_choice_label(choice));
     if (chosen.free)
         panel_->readout()->setText(name + QStringLiteral(": ") + reason_text(chosen.posture, true));
     show_tool(chosen.free ? std::optional(chosen.posture) : std::nullopt,

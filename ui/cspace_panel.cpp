@@ -6,6 +6,7 @@
 #include "ui/icon_button.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 #include "viz/overlay.h"
 
 #include <QHBoxLayout>
@@ -173,7 +174,7 @@ void CSpacePanel::show_legend() {
         auto* sample = new QLabel(item);
         sample->setPixmap(sample_of(entry, devicePixelRatioF()));
         row->addWidget(sample);
-        row->addWidget(new QLabel(text(entry.label), item));
+        row->addWidget(new QLabel(worded(entry.label), item));
         legend_->layout()->addWidget(item);
         item->show();
     }

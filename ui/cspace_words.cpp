@@ -1,6 +1,7 @@
 #include "ui/cspace_words.h"
 
 #include "ui/text.h"
+#include "ui/worded.h"
 #include "viz/cspace_display.h"
 
 #include <QObject>
@@ -10,12 +11,14 @@
 namespace facetmill::ui {
 
 QString posture_angle_text(double radians) {
-    return QString::number(degrees(radians), 'f', 1).replace(QChar('-'), QChar(0x2212)) + QChar(0x00B0);
+    return in_user_numbers(QString::number(degrees(radians), 'f', 1)).replace(QChar('-'), QChar(0x2212))
+           + QChar(0x00B0);
 }
 
 QString lift_text(double mm, LengthUnit unit) {
     return QStringLiteral("%1 %2").arg(
-        QString::number(mm / mm_per(unit), 'f', unit == LengthUnit::inch ? 4 : 3), text(unit_name(unit)));
+        in_user_numbers(QString::number(mm / mm_per(unit), 'f', unit == LengthUnit::inch ? 4 : 3)),
+        text(unit_name(unit)));
 }
 
 QString posture_reason_text(const FiveAxisStudy& study, const FiveAxisStudy::Point& point,
@@ -24,7 +27,7 @@ QString posture_reason_text(const FiveAxisStudy& study, const FiveAxisStudy::Poi
     QString line =
         QObject::tr("lead %1, yaw %2").arg(posture_angle_text(posture.lead), posture_angle_text(posture.yaw));
     if (with_lift) line += QObject::tr(", lift %1").arg(lift_text(posture.delta, unit));
-    line += QStringLiteral(": ") + text(posture_block_label(reason.block)).toLower();
+    line += QStringLiteral(": ") + in_a_sentence(worded(posture_block_label(reason.block)));
     if (reason.block != PostureBlock::free && reason.contact.body != ToolBody::none
         && reason.contact.facet != no_index)
         line += QObject::tr(", facet %1").arg(count_text(reason.contact.facet));

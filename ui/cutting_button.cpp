@@ -58,8 +58,8 @@ void CuttingButton::list(QMenu& menu) {
         if (!is_complete(*known, one)) continue;
         const double feed = cutting_feed(*known, one);
         QAction* action = menu.addAction(tr("%1: %2 rpm, %3 %4")
-                                             .arg(name_of(one), ui::text(format_number(one.spindle)),
-                                                  ui::text(format_number(feed / mm_per(unit), 5)),
+                                             .arg(name_of(one), ui::number_text(one.spindle),
+                                                  ui::number_text(feed / mm_per(unit), 5),
                                                   ui::text(edge_unit_name(Quantity::feed, unit))));
         action->setCheckable(true);
         action->setChecked(&one == now);

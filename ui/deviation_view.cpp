@@ -1,6 +1,7 @@
 #include "ui/deviation_view.h"
 
 #include "ui/icons.h"
+#include "ui/number_box.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "viz/palette.h"
@@ -25,10 +26,10 @@ constexpr std::size_t bins = 60;
 constexpr int end_width = 7, end_gap = 2; // of the bars for what lies beyond the range
 
 /// Without the zeros behind the last digit that says something.
-class LengthBox : public QDoubleSpinBox {
+class LengthBox : public NumberBox {
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-    QString textFromValue(double value) const override { return ui::text(format_number(value, 5)); }
+    using NumberBox::NumberBox;
+    QString textFromValue(double value) const override { return number_text(value, 5); }
 };
 
 } // namespace
@@ -120,11 +121,11 @@ void DeviationHistogramView::paintEvent(QPaintEvent*) {
     for (const ScaleMark& m : scale_marks(s, unit_, 0.02)) {
         const double x = f.bars.x() + f.bars.width() * (m.value - s.low) / range;
         p.drawLine(QPointF(x, f.bars.bottom()), QPointF(x, f.bars.bottom() + 4));
-        const QString label = text(m.label);
+        const QString label = in_user_numbers(text(m.label));
         const double w = fm.horizontalAdvance(label);
         const double at = std::clamp(x - w / 2, 0.0, std::max(0.0, width() - w));
         const bool last = m.value == s.high;
-        const QString end = text(scale_marks(s, unit_, 0.02).back().label);
+        const QString end = in_user_numbers(text(scale_marks(s, unit_, 0.02).back().label));
         const double end_at = width() - fm.horizontalAdvance(end) - 6.0;
         if (at < free || (!last && at + w > end_at)) continue;
         p.drawText(QPointF(at, f.bars.bottom() + 5 + fm.ascent()), label);

@@ -4,6 +4,7 @@
 #include "ui/document.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QBuffer>
 #include <QFileDialog>
@@ -65,7 +66,7 @@ QString write_table(const Document& document, const QString& path, std::string_v
         file.write(lines);
         file.commit();
     } catch (const Error& e) {
-        return text(e.what());
+        return worded(e);
     }
     return {};
 }

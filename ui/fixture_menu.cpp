@@ -3,6 +3,7 @@
 #include "ui/fixture_list.h"
 #include "ui/icons.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -42,7 +43,7 @@ QMenu* fixture_menu(QWidget* parent, Document& document, const std::function<voi
                                          try {
                                              added(add_fixture(document, what));
                                          } catch (const Error& e) {
-                                             refused(sentence(text(e.what())));
+                                             refused(sentence(worded(e)));
                                          }
                                      });
         a->setObjectName(QString::fromLatin1(entry.name));

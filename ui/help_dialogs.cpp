@@ -3,6 +3,7 @@
 #include "ui/icons.h"
 #include "ui/preferences_dialog.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QCoreApplication>
 #include <QMessageBox>
@@ -17,7 +18,7 @@ void show_shortcuts(QWidget* window) {
                     .arg(key, what);
     };
     for (const QString& line : navigation_words(settings::navigation().style))
-        row(line.section(QStringLiteral(": "), 1), line.section(QStringLiteral(": "), 0, 0).toLower());
+        row(line.section(QStringLiteral(": "), 1), in_a_sentence(line.section(QStringLiteral(": "), 0, 0)));
     row(QObject::tr("Double click, F"), QObject::tr("fit"));
     row(QObject::tr("Click on a path"),
         QObject::tr("show the tool there; ← and → step along the path (Shift: by ten)"));

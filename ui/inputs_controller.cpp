@@ -5,6 +5,7 @@
 #include "ui/messages.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -32,7 +33,7 @@ QString folder_name(const ProjectInput& input) {
 
 /// "the part's file “a.stl”".
 QString named(const ProjectInput& input) {
-    return QObject::tr("the %1's file “%2”").arg(text(input_name(input.kind)), file_name(input));
+    return QObject::tr("the %1's file “%2”").arg(worded(input_name(input.kind)), file_name(input));
 }
 
 } // namespace
@@ -142,11 +143,11 @@ void InputsController::take_located(const Project& candidate, const ProjectInput
         if (asked.kind == InputKind::machine) project_machine(candidate);
         if (asked.kind == InputKind::post) project_post(candidate, candidate.programs.post);
     } catch (const Error& e) {
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         messages_.offer(locate_action());
         return;
     }
-    const QString step = tr("Locate %1").arg(text(input_name(asked.kind)));
+    const QString step = tr("Locate %1").arg(worded(input_name(asked.kind)));
     if (Document::part_key(candidate) == Document::part_key(document_.project())) {
         // No mesh is another one.
         missing_ = missing_inputs(candidate);

@@ -10,6 +10,7 @@
 #include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <QComboBox>
 #include <QImage>
@@ -76,12 +77,12 @@ Chart InspectionController::chart() const {
 
 void InspectionController::offer_quantities() {
     for (std::size_t q = 1; q < path_quantities; ++q) {
-        std::string why = "No path is planned.";
+        std::string why = utf8(tr("No path is planned."));
         for (const auto& result : results_) {
             why = path_quantity_missing(PathQuantity(q), *result);
             if (why.empty()) break;
         }
-        layers_.set_quantity_missing(PathQuantity(q), text(why));
+        layers_.set_quantity_missing(PathQuantity(q), worded(why));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/flow_layout.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 #include "viz/palette.h"
 #include "viz/scene.h"
 
@@ -71,10 +72,11 @@ public:
     void show_path(const TintedPathPtr& path) {
         setVisible(path != nullptr);
         if (!path) return;
-        low_ = ui::text(format_number(path->low, 3));
-        high_ = ui::text(format_number(path->high, 3) + (path->unit == "°" ? "" : " ") + path->unit);
-        setToolTip(
-            LayerBar::tr("%1 from %2 to %3").arg(ui::text(path_quantity_label(path->quantity)), low_, high_));
+        low_ = ui::number_text(path->low, 3);
+        high_ = ui::number_text(path->high, 3) + (path->unit == "°" ? QString() : QStringLiteral(" "))
+                + ui::worded(path->unit);
+        setToolTip(LayerBar::tr("%1 from %2 to %3")
+                       .arg(ui::worded(path_quantity_label(path->quantity)), low_, high_));
         updateGeometry();
         update();
     }
@@ -174,7 +176,7 @@ void LayerBar::add_colours() {
     quantity_->setToolTip(tr("What the colours of the path mean; their scale stands in the view"));
     quantity_->setFocusPolicy(Qt::TabFocus);
     for (std::size_t q = 0; q < path_quantities; ++q)
-        quantity_->addItem(ui::text(path_quantity_label(PathQuantity(q))));
+        quantity_->addItem(ui::worded(path_quantity_label(PathQuantity(q))));
     label_ = new QLabel(tr("Path by"), colours_);
     label_->setBuddy(quantity_);
     row->addWidget(label_);

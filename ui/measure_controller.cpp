@@ -85,7 +85,7 @@ QString measurement_text(const Measurement& m, LengthUnit unit) {
     const auto length = [&](double mm) { return shown_length(mm, unit); };
     return MeasureController::tr("Distance %1, X %2, Y %3, Z %4; faces at %5°")
         .arg(length(by.norm()), length(std::abs(by.x())), length(std::abs(by.y())), length(std::abs(by.z())),
-             text(format_number(degrees(m.angle), 4)));
+             number_text(degrees(m.angle), 4));
 }
 
 MeasureController::MeasureController(Document& document, Viewport& viewport, Messages& messages,

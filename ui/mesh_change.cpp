@@ -2,6 +2,7 @@
 
 #include "ui/document.h"
 #include "ui/text.h"
+#include "ui/value_words.h"
 #include "ui/verification_model.h"
 
 #include <QCoreApplication>
@@ -114,7 +115,7 @@ QString kept_places_text(const Document& document) {
         for (const ParameterInfo* info : operation.parameters())
             if (info->kind == ParameterKind::records)
                 if (const ParameterValue value = operation.get(info->key); value != info->empty_list())
-                    kept << text(info->count_text(value));
+                    kept << shown_count(*info, value);
         if (!kept.isEmpty())
             all << translated("%1 of “%2”")
                        .arg(kept.join(QStringLiteral(", ")),

@@ -5,6 +5,7 @@
 #include "ui/icons.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -76,7 +77,7 @@ void OperationActions::copy() {
     try {
         QGuiApplication::clipboard()->setText(text(copied_operation(document_.project(), *operation_)));
     } catch (const Error& e) {
-        emit refused(sentence(text(e.what())));
+        emit refused(sentence(worded(e)));
     }
 }
 
@@ -90,7 +91,7 @@ void OperationActions::paste() {
         for (const QString& remark : made.remarks)
             emit refused(remark);
     } catch (const Error& e) {
-        emit refused(sentence(text(e.what())));
+        emit refused(sentence(worded(e)));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/job/copied_operations.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 
@@ -85,7 +86,7 @@ Pasted paste_operations(Document& document, std::string_view copied, std::option
     PastedOperations pasted = pasted_operations(copied, document.project());
     Pasted result;
     for (const std::string& remark : pasted.remarks)
-        result.remarks << sentence(text(remark)) + QChar('.');
+        result.remarks << sentence(worded(remark)) + QChar('.');
     result.place = after ? std::min(*after + 1, document.operation_count()) : document.operation_count();
     document.add_operations(Document::tr("Paste operation"), result.place, std::move(pasted.operations),
                             pasted.tools);

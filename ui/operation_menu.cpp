@@ -5,6 +5,7 @@
 #include "ui/icons.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 
 #include <QApplication>
 #include <QIconEngine>
@@ -99,7 +100,7 @@ QMenu* operation_menu(QWidget* parent, const std::function<void(const std::strin
     menu->setIcon(icon(Icon::operation));
     show_pictures(menu);
     for (const OperationKind& kind : operation_kinds()) {
-        QAction* entry = menu->addAction(operation_picture(kind.kind), text(kind.label), parent,
+        QAction* entry = menu->addAction(operation_picture(kind.kind), worded(kind.label), parent,
                                          [add, name = kind.kind] { add(name); });
         entry->setToolTip(operation_words(kind.kind));
     }

@@ -102,9 +102,10 @@ public:
         }
     }
     QString entered() const override {
+        // Of several fields each has its own decimal mark: a comma goes between them.
         QStringList parts;
         for (const auto* line : lines_)
-            parts << line->text();
+            parts << (lines_.size() > 1 ? with_decimal_point(line->text(), info_.key) : line->text());
         return parts.join(QStringLiteral(", "));
     }
     bool touched() const override { return touched_; }
@@ -227,7 +228,7 @@ public:
         int index = combo_->findData(entry);
         if (index < 0) {
             // A value that refers to nothing (a tool that is not there) is shown, not replaced in silence.
-            combo_->insertItem(0, entry + QStringLiteral(" (missing)"), entry);
+            combo_->insertItem(0, ParameterEditor::tr("%1 (missing)").arg(entry), entry);
             index = 0;
         }
         combo_->setCurrentIndex(index);
@@ -302,7 +303,7 @@ public:
         touched_ = false;
         value_ = value;
         unit_ = unit;
-        count_->set_text(text(info_.count_text(value)));
+        count_->set_text(shown_count(info_, value));
         clear_->setEnabled(value != info_.empty_list());
     }
     QString entered() const override { return text(info_.value_text(value_, unit_)); }
@@ -373,11 +374,16 @@ ParameterValue read_entered(const ParameterInfo& info, const QString& entered, L
     const bool numbers = info.kind == ParameterKind::number || info.kind == ParameterKind::integer
                          || info.kind == ParameterKind::pair || info.kind == ParameterKind::triple;
     if (numbers && entered.trimmed().isEmpty())
-        throw Error(ErrorCode::wrong_type, info.key, "nothing is entered", "enter a number");
-    if (info.kind == ParameterKind::number && entered.contains(QChar(',')))
-        throw Error(ErrorCode::wrong_type, info.key, "a comma is not a decimal mark", "use a point: 0.5");
-    const bool worked = numbers || info.kind == ParameterKind::number_or_word;
-    return info.parse(utf8(worked ? worked_out(info, entered, unit, names) : entered), unit);
+        throw Error(ErrorCode::wrong_type, info.key, utf8(QObject::tr("nothing is entered")),
+                    utf8(QObject::tr("enter a number")));
+    const bool word = info.kind == ParameterKind::number_or_word;
+    const bool single = info.kind == ParameterKind::number || info.kind == ParameterKind::integer
+                        || (word && !is_word(entered));
+    const QString point = single ? with_decimal_point(entered, info.key) : entered;
+    if (info.kind == ParameterKind::number && point.contains(QChar(',')))
+        throw Error(ErrorCode::wrong_type, info.key, utf8(QObject::tr("a comma is not a decimal mark")),
+                    utf8(QObject::tr("use a point: 0.5")));
+    return info.parse(utf8(numbers || word ? worked_out(info, point, unit, names) : entered), unit);
 }
 
 } // namespace facetmill::ui

@@ -6,6 +6,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"
+#include "ui/worded.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -37,23 +38,23 @@ QGridLayout* make_grid(QWidget* holder) {
 
 QString help_html(const ParameterInfo& info, LengthUnit unit, const QString& scope) {
     constexpr int drawing_width = 200;
-    QString html =
-        QStringLiteral("<b>%1</b><br>%2")
-            .arg(text(info.label).toHtmlEscaped(), with_shown_words(info, text(info.help)).toHtmlEscaped());
-    const QString range = text(info.range_text(unit));
+    QString html = QStringLiteral("<b>%1</b><br>%2")
+                       .arg(worded(info.label).toHtmlEscaped(),
+                            with_shown_words(info, worded(info.help)).toHtmlEscaped());
+    const QString range = worded(info.range_text(unit));
     QStringList facts;
-    if (!range.isEmpty()) facts << QStringLiteral("Range: %1").arg(range.toHtmlEscaped());
+    if (!range.isEmpty()) facts << ParameterForm::tr("Range: %1").arg(range.toHtmlEscaped());
     if (info.kind != ParameterKind::text && !info.is_list()) {
         const QString unit_text = text(edge_unit_name(info.quantity, unit));
-        QString value = text(info.value_text(info.default_value, unit));
+        QString value = in_user_numbers(text(info.value_text(info.default_value, unit)));
         // A round number of the other unit has digits that say nothing.
         if (const auto* d = std::get_if<double>(&info.default_value))
-            value = text(format_number(*d / info.scale(unit), 4));
+            value = number_text(*d / info.scale(unit), 4);
         else if (const auto* word = std::get_if<std::string>(&info.default_value))
             value = shown_word(info, *word);
         if (!std::holds_alternative<std::string>(info.default_value) && !unit_text.isEmpty())
             value += QStringLiteral(" ") + unit_text;
-        facts << QStringLiteral("Default: %1").arg(value.toHtmlEscaped());
+        facts << ParameterForm::tr("Default: %1").arg(value.toHtmlEscaped());
     }
     const QString drawing = parameter_drawing(scope.section(QChar(' '), 0, 0), text(info.key));
     if (!drawing.isEmpty())
@@ -165,7 +166,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     auto* holder = grid->parentWidget();
     const int line = grid->rowCount();
 
-    row.label = new QLabel(text(info.label), holder);
+    row.label = new QLabel(worded(info.label), holder);
     row.label->setWordWrap(true);
     // Made before the fields, it comes before them with Tab, too, as it stands.
     if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end())
@@ -323,10 +324,7 @@ void ParameterForm::set_picking(const std::string& key) {
 
 QString ParameterForm::spoken_label(const std::string& key) const {
     for (const Row& row : rows_)
-        if (row.info->key == key) {
-            const QString label = text(row.info->label);
-            return label.left(1).toLower() + label.mid(1);
-        }
+        if (row.info->key == key) return in_a_sentence(worded(row.info->label));
     return text(key);
 }
 

@@ -6,6 +6,7 @@
 #include "ui/text.h"
 #include "ui/verification_model.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <utility>
 
@@ -29,7 +30,7 @@ LoadedPart load_part(Planner& planner, const Project& project, const Progress& p
         std::erase_if(alone.fixtures, [](const Fixture& f) { return f.kind == Fixture::Kind::mesh; });
         if (!of_fixture || rest) alone.stock = StockSpec();
         loaded.part = planner.prepare(alone, reading);
-        if (!rest || of_fixture) loaded.stock_failure = text(e.what());
+        if (!rest || of_fixture) loaded.stock_failure = worded(e);
     }
     loaded.display = prepare_part_display(loaded.part->mesh, progress.part(0.7, 0.9, "Preparing the view"));
     if (loaded.part->stock_mesh)

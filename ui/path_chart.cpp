@@ -3,6 +3,7 @@
 #include "core/job/planner.h"
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QObject>
 
@@ -25,7 +26,8 @@ const char* kind_name(MotionKind kind) {
 }
 
 QString angle_text(double degrees, int digits = 1) {
-    return QString::number(degrees, 'f', digits).replace(QChar('-'), QChar(0x2212)) + QChar(0x00B0);
+    return in_user_numbers(QString::number(degrees, 'f', digits)).replace(QChar('-'), QChar(0x2212))
+           + QChar(0x00B0);
 }
 
 /// A number of a table; nothing where there is none.
@@ -96,12 +98,12 @@ void PathChart::build_rotary() {
     const PathFigures& figures = *figures_;
     const auto& rotary = figures.machine.rotary;
     if (rotary.empty()) {
-        missing_ = tr("The machine “%1” has no rotary axis").arg(text(figures.machine.label));
+        missing_ = tr("The machine “%1” has no rotary axis").arg(worded(figures.machine.label));
         return;
     }
     const bool over_time = chart_ == Chart::rotary_over_time;
     const bool minutes = !figures.elapsed.empty() && figures.elapsed.back() > longest_in_seconds;
-    content_.title = tr("%1 on %2: rotary axes").arg(name, text(figures.machine.label));
+    content_.title = tr("%1 on %2: rotary axes").arg(name, worded(figures.machine.label));
     content_.x_label = over_time ? tr("Time (%1)").arg(minutes ? tr("min") : tr("s"))
                                  : tr("Way of the tool tip (%1)").arg(text(unit_name(unit_)));
     content_.y_label = tr("Angle (°)");

@@ -333,13 +333,12 @@ void PlacePanel::show_box(const Box3& box, LengthUnit unit, double scale) {
     if (box.empty()) return size_->setText(tr("No part has been read."));
     const Vec3 s = box.size();
     const double size[3] = {s.x(), s.y(), s.z()};
-    size_->setText(
-        scale == 1
-            ? tr("Size: %1").arg(size_text(size, unit, 5))
-            : tr("Size: %1, scaled by %2").arg(size_text(size, unit, 5), text(format_number(scale, 6))));
+    size_->setText(scale == 1
+                       ? tr("Size: %1").arg(size_text(size, unit, 5))
+                       : tr("Size: %1, scaled by %2").arg(size_text(size, unit, 5), number_text(scale, 6)));
     QString rows;
     const auto number = [&](double mm) {
-        return text(format_number(std::abs(mm) < 1e-9 ? 0 : mm / mm_per(unit), 6));
+        return number_text(std::abs(mm) < 1e-9 ? 0 : mm / mm_per(unit), 6);
     };
     for (int k = 0; k < 3; ++k)
         rows += QStringLiteral("<tr><td>%1</td><td align=\"right\" style=\"padding-left:10px\">%2</td>"
@@ -356,7 +355,7 @@ void PlacePanel::fill(const std::vector<LyingFace>& faces, LengthUnit unit, cons
         const QString length = text(unit_name(unit));
         list_->setHeaderLabels({tr("Lies,\n%1").arg(length + QStringLiteral("²")), tr("Down"),
                                 tr("High,\n%1").arg(length), tr("Falls at")});
-        const auto number = [](double v, int digits) { return text(format_number(v, digits)); };
+        const auto number = [](double v, int digits) { return number_text(v, digits); };
         const double per = mm_per(unit);
         for (const LyingFace& f : faces) {
             auto* item = new QTreeWidgetItem(list_);

@@ -77,8 +77,7 @@ bool PlaceSteps::scale(double factor) {
     const Vec3 t(now.translate[0], now.translate[1], now.translate[2]);
     const Vec3 kept(box.center().x(), box.center().y(), box.lo.z());
     const Vec3 by = kept - (factor * (kept - t) + t);
-    if (!change(tr("Scale part by %1").arg(text(format_number(factor, 6))), moved(now, by), factor))
-        return false;
+    if (!change(tr("Scale part by %1").arg(number_text(factor, 6)), moved(now, by), factor)) return false;
     const Vec3 size = factor * box.size();
     const double three[3] = {size.x(), size.y(), size.z()};
     messages_.warning(

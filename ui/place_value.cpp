@@ -1,6 +1,7 @@
 #include "ui/place_value.h"
 
 #include "core/base/vec.h"
+#include "ui/number_box.h"
 #include "ui/text.h"
 
 #include <QComboBox>
@@ -36,7 +37,7 @@ PlaceValueRow::PlaceValueRow(QWidget* parent) : QWidget(parent) {
         tr("Turns are by the right hand about the middle of the part's box. Rings and "
            "arrows in the view do the same by the mouse, with Shift in round steps. Scaling keeps that "
            "and the lowest point; cutters and tolerances stay as they are."));
-    value_ = new QDoubleSpinBox(this);
+    value_ = new NumberBox(this);
     value_->setObjectName(QStringLiteral("place_value"));
     value_->setAccessibleName(tr("By how much"));
     value_->setKeyboardTracking(false);

@@ -3,6 +3,7 @@
 #include "core/job/work_estimate.h"
 #include "ui/messages.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -24,7 +25,7 @@ void tell_program(Messages& messages, const OperationResult& program, LengthUnit
                                   duration_text(program.totals.time_seconds)),
                          false);
     for (const std::string& warning : program.warnings())
-        messages.warning(name + QStringLiteral(": ") + with_lengths_in(text(warning), unit), false);
+        messages.warning(name + QStringLiteral(": ") + with_lengths_in(worded(warning), unit), false);
 }
 
 } // namespace
@@ -36,7 +37,7 @@ QStringList large_work(const Project& project, const PreparedPart& part,
         check_project(project);
         for (const std::string& name : operations)
             for (const WorkEstimate& e : estimate_plan(project, part, name))
-                if (e.large()) large << tr("%1: %2").arg(text(e.what), text(e.text()));
+                if (e.large()) large << tr("%1: %2").arg(worded(e.what), worded(e.text()));
     } catch (const Error&) {
         return {};
     }
@@ -60,7 +61,7 @@ void tell_operation(Messages& messages, const std::shared_ptr<const OperationRes
     if (!operation->nothing_to_do.empty())
         messages.information(
             tr("“%1” has nothing to do: %2.")
-                .arg(text(operation->name), with_lengths_in(text(operation->nothing_to_do), unit)),
+                .arg(text(operation->name), with_lengths_in(worded(operation->nothing_to_do), unit)),
             false);
     for (const auto& program : programs_of(operation))
         tell_program(messages, *program, unit);

@@ -11,6 +11,7 @@
 #include "ui/setup_results.h"
 #include "ui/text.h"
 #include "ui/verification_controller.h"
+#include "ui/worded.h"
 
 #include <numeric>
 
@@ -136,12 +137,11 @@ std::vector<double> shares_of(const Project& project, const PreparedPart* part,
 
 /// In the words of a message; names stay as they are, a parameter is called as in the form.
 QString planning_failure(const Error& e, const Operation& operation, LengthUnit unit) {
-    const auto in_unit = [unit](const std::string& s) { return utf8(with_lengths_in(text(s), unit)); };
     std::string where = e.where();
     const std::size_t colon = where.rfind(": "), begin = colon == std::string::npos ? 0 : colon + 2;
     if (const std::string key = where.substr(begin); operation.has(key))
         where.replace(begin, key.size(), operation.parameter(key).label);
-    return text(Error(e.code(), where, in_unit(e.message()), in_unit(e.remedy())).what());
+    return with_lengths_in(worded(Error(e.code(), where, e.message(), e.remedy())), unit);
 }
 
 } // namespace
@@ -219,7 +219,7 @@ void PlanRunner::finish(Work& work, const JobEnd& end) {
     if (document_.part())
         for (const std::string& warning :
              stock_warnings(document_.project().stock, *document_.part(), document_.unit()))
-            messages_.warning(text(warning), false);
+            messages_.warning(worded(warning), false);
     if (work.failures.isEmpty())
         messages_.succeeded();
     else

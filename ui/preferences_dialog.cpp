@@ -1,6 +1,7 @@
 #include "ui/preferences_dialog.h"
 
 #include "core/tools/library_file.h"
+#include "ui/language.h"
 #include "ui/text.h"
 #include "ui/usual_project_box.h"
 
@@ -14,6 +15,8 @@
 #include <QSpinBox>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace facetmill::ui {
 
@@ -81,7 +84,28 @@ QGroupBox* PreferencesDialog::make_view() {
     colors_->addItems({tr("as the desktop"), tr("light"), tr("dark")});
     colors_->setCurrentIndex(int(settings::theme()));
     form->addRow(tr("C&olours"), colors_);
+    add_language(*form);
     return group;
+}
+
+void PreferencesDialog::add_language(QFormLayout& form) {
+    language_ = new QComboBox(this);
+    language_->setObjectName(QStringLiteral("language"));
+    language_->addItem(tr("as the system"), QString());
+    for (const Language& one : languages())
+        language_->addItem(QString::fromUtf8(one.name), QString::fromLatin1(one.code));
+    language_->setCurrentIndex(std::max(0, language_->findData(settings::language())));
+    language_->setToolTip(
+        tr("Texts and numbers of the window; programs and files are the same in all of them"));
+    form.addRow(tr("&Language"), language_);
+    auto* later = new QLabel(tr("The window speaks it after the next start."), this);
+    later->setWordWrap(true);
+    later->setForegroundRole(QPalette::PlaceholderText);
+    later->hide();
+    form.addRow(later);
+    connect(language_, &QComboBox::currentIndexChanged, later, [this, later] {
+        later->setVisible(language_->currentData().toString() != settings::language());
+    });
 }
 
 QGroupBox* PreferencesDialog::make_new_projects() {
@@ -124,6 +148,7 @@ QGroupBox* PreferencesDialog::make_work() {
 void PreferencesDialog::accept() {
     settings::set_navigation({NavigationStyle(style_->currentIndex()), Orbit(orbit_->currentIndex())});
     settings::set_theme(Theme(colors_->currentIndex()));
+    settings::set_language(language_->currentData().toString());
     settings::set_usual_project(usual_->usual());
     settings::set_autosave_interval(std::chrono::seconds(autosave_->value()));
     settings::set_threads(threads_->value());

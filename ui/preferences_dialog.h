@@ -1,5 +1,5 @@
-// What belongs to the user and not to a project: how the view is turned, colours, what new projects begin
-// with, how often work is kept, how many threads it gets.
+// What belongs to the user and not to a project: how the view is turned, colours, language, what new projects
+// begin with, how often work is kept, how many threads it gets.
 #pragma once
 
 #include "ui/settings.h"
@@ -7,6 +7,7 @@
 #include <QDialog>
 
 class QComboBox;
+class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QSpinBox;
@@ -30,8 +31,9 @@ private:
     QGroupBox* make_view();
     QGroupBox* make_new_projects();
     QGroupBox* make_work();
+    void add_language(QFormLayout& form);
 
-    QComboBox *style_ = nullptr, *orbit_ = nullptr, *colors_ = nullptr;
+    QComboBox *style_ = nullptr, *orbit_ = nullptr, *colors_ = nullptr, *language_ = nullptr;
     QLabel* buttons_ = nullptr;
     UsualProjectBox* usual_ = nullptr;
     QSpinBox *autosave_ = nullptr, *threads_ = nullptr;

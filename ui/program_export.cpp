@@ -13,6 +13,7 @@
 #include "ui/text.h"
 #include "ui/verification_controller.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <QBuffer>
 #include <QDesktopServices>
@@ -164,7 +165,7 @@ void ProgramExport::save_sheet(const QString& path) {
     try {
         keep_files(document_, target);
     } catch (const Error& e) {
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         return;
     }
     job_.start(

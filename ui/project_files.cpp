@@ -18,6 +18,7 @@
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/unpack_dialog.h"
+#include "ui/worded.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -115,7 +116,7 @@ void ProjectFiles::open_program_with_dialog() {
     const QStringList files = QFileDialog::getOpenFileNames(
         window_, tr("Open program"), settings::last_folder(),
         tr("%1 programs (*%2);;All files (*)")
-            .arg(text(apt_writer().label), program_endings().join(QStringLiteral(" *"))));
+            .arg(worded(apt_writer().label), program_endings().join(QStringLiteral(" *"))));
     if (!files.isEmpty()) open_program(files);
 }
 
@@ -136,7 +137,7 @@ void ProjectFiles::open_program(const QStringList& files) {
             for (const std::string& line : opened->ignored)
                 messages_.information(tr("Read over: %1").arg(text(line)), false);
             for (const std::string& remark : opened->remarks)
-                messages_.warning(sentence(text(remark)), false);
+                messages_.warning(sentence(worded(remark)), false);
             document_.show_program(opened);
             messages_.show(tr("Showing %1 in place of the plan, until something is planned or File > Close "
                               "program.")
@@ -192,7 +193,7 @@ void ProjectFiles::open_project(const std::filesystem::path& path) {
         show_project(load_project(path), QString(), false);
     } catch (const Error& e) {
         settings::remove_recent_file(path_text(path));
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         emit settled();
         return;
     }
@@ -320,7 +321,7 @@ static void tell_read(Messages& messages, const std::filesystem::path& path, con
         ProjectFiles::tr("Read %1: %2 facets.").arg(path_text(path.filename()), count_text(report.facets)),
         false);
     for (const std::string& word : report.warnings)
-        messages.warning(sentence(text(explain_warning(word))), false);
+        messages.warning(sentence(worded(explain_warning(word))), false);
 }
 
 void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit, LoadedPart loaded,
@@ -353,7 +354,7 @@ void ProjectFiles::new_from_sample(const std::string& name) {
     const LengthUnit unit = kind->natural_unit;
     auto loaded = std::make_shared<LoadedPart>();
     job_.start(
-        tr("Making %1").arg(text(kind->label)),
+        tr("Making %1").arg(worded(kind->label)),
         [=, planner = planner_](const Progress& p) {
             write_sample(name, path, unit, p.part(0, 0.5));
             *loaded = load_part(*planner, probe_of(path, unit), p.part(0.5, 1));
@@ -407,7 +408,7 @@ bool ProjectFiles::save_to(const QString& path) {
         save_project(copy, target);
         document_.saved(copy);
     } catch (const Error& e) {
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         return false;
     }
     settings::add_recent_file(QFileInfo(path).absoluteFilePath());
@@ -435,7 +436,7 @@ void ProjectFiles::save_packed_to(const QString& path) {
     try {
         keep_files(document_, target);
     } catch (const Error& e) {
-        messages_.fail(text(e.what()));
+        messages_.fail(worded(e));
         return;
     }
     auto project = std::make_shared<const Project>(document_.project());

@@ -3,6 +3,7 @@
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QTreeWidget>
 
@@ -91,11 +92,11 @@ void ProjectItems::add_setup_items(QTreeWidgetItem* setup) {
                      .arg(text(project_.boundaries[i].name)));
     QString machine = text(project_.machine);
     for (const Machine& m : machines())
-        if (m.name == project_.machine) machine = text(m.label);
+        if (m.name == project_.machine) machine = worded(m.label);
     if (const std::string& post = project_.programs.post; !post.empty()) {
         QString control = text(post);
         for (const Post& p : posts())
-            if (p.name == post) control = text(p.label);
+            if (p.name == post) control = worded(p.label);
         machine = QObject::tr("%1, %2").arg(machine, control);
     }
     add_item(setup, {TreeNode::Kind::machine, 0}, Icon::machine, machine);

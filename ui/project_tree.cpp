@@ -14,6 +14,7 @@
 #include "ui/tool_library_dialog.h"
 #include "ui/tool_list.h"
 #include "ui/verification_model.h"
+#include "ui/worded.h"
 
 #include <QAction>
 #include <QEvent>
@@ -49,7 +50,7 @@ Icon state_icon(OperationState state) {
 
 QString operation_label(const std::string& kind) {
     for (const auto& k : operation_kinds())
-        if (k.kind == kind) return text(k.label);
+        if (k.kind == kind) return worded(k.label);
     return text(kind);
 }
 
@@ -360,7 +361,7 @@ void ProjectTree::change_setups(const std::function<void()>& change) {
         if (setup_count(document_.project()) > 1)
             select({TreeNode::Kind::setup, chosen_setup(document_.project())});
     } catch (const Error& e) {
-        emit refused(sentence(text(e.what())));
+        emit refused(sentence(worded(e)));
     }
 }
 
@@ -471,7 +472,7 @@ void ProjectTree::remove() {
     try {
         remove_from_list(document_, *node);
     } catch (const Error& e) {
-        emit refused(sentence(text(e.what())));
+        emit refused(sentence(worded(e)));
     }
 }
 

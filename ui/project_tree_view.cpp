@@ -4,6 +4,7 @@
 #include "ui/operation_list.h"
 #include "ui/project_items.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QDropEvent>
 #include <QSignalBlocker>
@@ -73,7 +74,7 @@ void ProjectTreeView::rename(const TreeNode& node, const std::string& name) {
     try {
         rename_node(document_, node, name);
     } catch (const Error& e) {
-        emit refused(sentence(text(e.what())));
+        emit refused(sentence(worded(e)));
     }
     if (QTreeWidgetItem* now = item_of(node)) {
         const QSignalBlocker still(this);

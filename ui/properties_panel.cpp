@@ -18,6 +18,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/tool_sketch.h"
+#include "ui/worded.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -147,7 +148,7 @@ std::array<double, 3> margins_for(const std::array<double, 3>& size, const Box3&
 std::vector<FormChoice> machine_choices(const Project& project) {
     std::vector<FormChoice> choices;
     for (const Machine& m : machines())
-        choices.push_back({text(m.label), m.name});
+        choices.push_back({worded(m.label), m.name});
     if (is_machine_file(project.machine)) choices.push_back({text(project.machine), project.machine});
     return choices;
 }
@@ -155,7 +156,7 @@ std::vector<FormChoice> machine_choices(const Project& project) {
 std::vector<FormChoice> control_choices(const Project& project) {
     std::vector<FormChoice> controls = {{PropertiesPanel::tr("none: APT only"), std::string()}};
     for (const Post& p : posts())
-        controls.push_back({text(p.label), p.name});
+        controls.push_back({worded(p.label), p.name});
     if (is_post_file(project.programs.post))
         controls.push_back({text(project.programs.post), project.programs.post});
     return controls;
@@ -166,7 +167,7 @@ std::vector<FormChoice> stock_kinds(const Project& project) {
     std::vector<FormChoice> kinds;
     for (const std::string& word : stock_parameters().find("kind")->info.words)
         if (chosen_setup(project) > 0 || word != stock_kind_name(StockSpec::Kind::rest))
-            kinds.push_back({text(word), word});
+            kinds.push_back({worded(word), word});
     return kinds;
 }
 
@@ -209,7 +210,7 @@ QString scale_text(const PartSpec& part) {
     if (part.scale == 1) return {};
     return PropertiesPanel::tr(
                "The part is %1 times as large as its file says; cutters and tolerances are not.")
-        .arg(text(format_number(part.scale, 6)));
+        .arg(number_text(part.scale, 6));
 }
 
 /// What the form of a part leaves out: its file and its recipe, which are chosen elsewhere, and what says
@@ -307,7 +308,7 @@ void tell_about(ParameterForm& form, const Document& document, const TreeNode& n
 std::map<std::string, QString> remarks_on(const Project& project, std::size_t operation) {
     std::map<std::string, QString> remarks;
     for (const SettingRemark& r : setting_remarks(project, operation))
-        remarks[r.key] = text(r.message);
+        remarks[r.key] = worded(r.message);
     return remarks;
 }
 
@@ -335,7 +336,7 @@ QString work_hint(const Project& project, const std::shared_ptr<const PreparedPa
     try {
         check_project(project);
         for (const WorkEstimate& e : estimate_plan(project, *part, operation.common().name))
-            if (e.notable()) return PropertiesPanel::tr("Planning it takes %1.").arg(text(e.text()));
+            if (e.notable()) return PropertiesPanel::tr("Planning it takes %1.").arg(worded(e.text()));
     } catch (const Error&) {
         return {};
     }
@@ -552,7 +553,7 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
         const Tool& t = project.tools[node_->index];
         title = tr("T%1  %2").arg(t.number).arg(text(t.name));
-        hint = text(t.shape_name());
+        hint = worded(t.shape_name());
         sketch_->set_tool(t, unit);
         tool = true;
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {

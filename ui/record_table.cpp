@@ -5,6 +5,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"
+#include "ui/worded.h"
 
 #include <QHeaderView>
 #include <QTableWidget>
@@ -17,7 +18,7 @@ namespace {
 
 QString heading(const ParameterInfo& field, LengthUnit unit) {
     const QString in = text(edge_unit_name(field.quantity, unit));
-    return in.isEmpty() ? text(field.label) : QStringLiteral("%1\n(%2)").arg(text(field.label), in);
+    return in.isEmpty() ? worded(field.label) : QStringLiteral("%1\n(%2)").arg(worded(field.label), in);
 }
 
 /// 0 says that nobody has said it.
@@ -48,7 +49,7 @@ RecordTable::RecordTable(std::vector<const ParameterInfo*> fields, LengthUnit un
     for (int k = 0; k < table_->columnCount(); ++k) {
         const ParameterInfo& field = *fields_[std::size_t(k)];
         auto* head = new QTableWidgetItem(heading(field, unit_));
-        head->setToolTip(text(field.help));
+        head->setToolTip(worded(field.help));
         table_->setHorizontalHeaderItem(k, head);
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -103,7 +104,7 @@ void RecordTable::remove_row() {
 QString RecordTable::shown(const ParameterValue& value, const ParameterInfo& field) const {
     if (may_be_unsaid(field) && value == field.default_value) return {};
     if (const auto* number = std::get_if<double>(&value)) return shown_number(*number, field, unit_);
-    return text(field.value_text(value, unit_));
+    return in_user_numbers(text(field.value_text(value, unit_)));
 }
 
 /// What nobody touched keeps all its digits.
@@ -154,10 +155,11 @@ void RecordTable::read() {
             } catch (const Error& e) {
                 if (item) item->setForeground(QBrush(signal_colors(palette()).bad));
                 if (problem_.isEmpty())
-                    problem_ = tr("%1 %2, %3: %4")
-                                   .arg(called_)
-                                   .arg(row + 1)
-                                   .arg(text(field.label).toLower(), with_lengths_in(failure_text(e), unit_));
+                    problem_ =
+                        tr("%1 %2, %3: %4")
+                            .arg(called_)
+                            .arg(row + 1)
+                            .arg(in_a_sentence(worded(field.label)), with_lengths_in(failure_text(e), unit_));
             }
         }
     }

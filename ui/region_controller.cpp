@@ -74,7 +74,7 @@ QString regions_text(const ReworkRegions& r, const OperationResult* planned) {
     if (off > 0) status += RegionController::tr(", %1 switched off").arg(off);
     const double percent = r.part_area > 0 ? 100 * r.area / r.part_area : 0;
     status += RegionController::tr("; rework covers %1 of the surface")
-                  .arg(text(format_number(percent, 2)) + QStringLiteral(" %"));
+                  .arg(number_text(percent, 2) + QStringLiteral(" %"));
     if (r.uncut_area >= 0.98 * r.part_area)
         return RegionController::tr(
             "This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
@@ -371,7 +371,7 @@ void RegionController::take(const Found& found) {
         dialog_->show_no_regions(
             tr("No place needs a lead above %1°: the main path cuts all of the part, there "
                "is nothing to rework.")
-                .arg(text(format_number(degrees(settings.lead_limit), 3))));
+                .arg(number_text(degrees(settings.lead_limit), 3)));
     } else {
         const bool as_planned = values_.empty() && !drag_ && document_.state(*i) == OperationState::planned;
         dialog_->show_regions(r.regions, regions_text(r, as_planned ? document_.result(*i).get() : nullptr));

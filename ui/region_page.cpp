@@ -4,6 +4,7 @@
 #include "ui/parameter_editor.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 #include "viz/strip_display.h"
 
 #include <QEvent>
@@ -130,13 +131,13 @@ void RegionPage::show_regions(const std::vector<ReworkRegion>& regions) {
         name->setCheckState(r.strip.enabled ? Qt::Checked : Qt::Unchecked);
         name->setToolTip(r.strip.enabled ? tr("Cut by the rework tool; uncheck to leave it out")
                                          : tr("Switched off: it is not cut"));
-        put(area_column, text(format_number(r.strip.area / (per * per), 3)))
+        put(area_column, number_text(r.strip.area / (per * per), 3))
             ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        auto* grow = put(grow_column, text(format_number(r.grow / per, 4)), Qt::ItemIsEditable);
+        auto* grow = put(grow_column, number_text(r.grow / per, 4), Qt::ItemIsEditable);
         grow->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grow->setToolTip(tr("How far its boundary lies outside the offset; double click to enter it"));
         put(tool_column, r.strip.tool > 0 ? tr("T%1").arg(r.strip.tool) : tr("none"));
-        put(reason_column, sentence(text(r.strip.reason)));
+        put(reason_column, sentence(worded(r.strip.reason)));
     }
     filling_ = false;
     color();
@@ -195,7 +196,7 @@ void RegionPage::cell_edited(int row, int column) {
                          .arg(elided(entered, 30)));
     }
     filling_ = true;
-    item->setText(text(format_number(grow.value_or(grown_[region]) / mm_per(unit_), 4)));
+    item->setText(number_text(grow.value_or(grown_[region]) / mm_per(unit_), 4));
     filling_ = false;
     if (!grow) return;
     emit refused({});
@@ -210,7 +211,7 @@ void RegionPage::step_grow(int direction) {
     const double grow = allowed_growth(step_ * (std::round(grown_[*region] / step_) + direction));
     grown_[*region] = grow;
     filling_ = true;
-    table_->item(int(*region), grow_column)->setText(text(format_number(grow / mm_per(unit_), 4)));
+    table_->item(int(*region), grow_column)->setText(number_text(grow / mm_per(unit_), 4));
     filling_ = false;
     emit region_grown(*region, grow);
 }

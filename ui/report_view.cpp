@@ -5,6 +5,7 @@
 #include "ui/scan_words.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 
 #include <QEvent>
 #include <QScrollBar>
@@ -37,7 +38,7 @@ private:
 /// What a part that turns needs of its stock, and what no place of the cutter serves.
 void add_turning(Facts& facts, const TurnedPath& turned, const Box3& part, LengthUnit unit,
                  const QString& attention) {
-    const auto number = [&](double mm) { return text(format_number(mm / mm_per(unit), 4)); };
+    const auto number = [&](double mm) { return number_text(mm / mm_per(unit), 4); };
     // From the part's box: exact for an axis along X, Y or Z.
     const double length = part.size().dot(turned.axis.direction.cwiseAbs());
     facts.add(QObject::tr("Smallest stock"),
@@ -50,7 +51,7 @@ void add_turning(Facts& facts, const TurnedPath& turned, const Box3& part, Lengt
     if (area > 0)
         facts.add(QObject::tr("Out of reach"),
                   QObject::tr("%1 % of the surface")
-                      .arg(text(format_number(std::max(100 * area / turned.surface_area, 0.01), 2))),
+                      .arg(number_text(std::max(100 * area / turned.surface_area, 0.01), 2)),
                   attention);
 }
 
@@ -125,14 +126,14 @@ QString ReportView::part_html() const {
     const Vec3 s = part->box.size();
     const double size[3] = {s.x(), s.y(), s.z()};
     Facts facts(palette());
-    facts.add(tr("Format"), text(r.format));
+    facts.add(tr("Format"), worded(r.format));
     if (!r.name.empty()) facts.add(tr("Name"), elided(text(r.name), 40));
     facts.add(tr("Size"), size_text(size, unit, 5));
     const auto corner = [&](const Vec3& p) {
         QStringList numbers;
         for (int k = 0; k < 3; ++k)
-            numbers << text(format_number(std::abs(p[k]) < 1e-9 ? 0 : p[k] / mm_per(unit), 5));
-        return numbers.join(QStringLiteral(", ")) + QChar(' ') + text(unit_name(unit));
+            numbers << number_text(std::abs(p[k]) < 1e-9 ? 0 : p[k] / mm_per(unit), 5);
+        return number_list(numbers) + QChar(' ') + text(unit_name(unit));
     };
     facts.add(tr("From"), corner(part->box.lo));
     facts.add(tr("To"), corner(part->box.hi));
@@ -163,7 +164,7 @@ QString ReportView::part_html() const {
         html += QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(list);
     }
     for (const std::string& word : r.warnings)
-        html += note(sentence(text(explain_warning(word))), signal.attention);
+        html += note(sentence(worded(explain_warning(word))), signal.attention);
     if (list.isEmpty() && r.warnings.empty()) html += note(tr("No defects found."), signal.good);
     if (part->repairs.empty()) return html;
     html += note(tr("The recipe of the scan room was carried out"), signal.good);
@@ -186,7 +187,7 @@ QString ReportView::program_html(const OpenedProgram& opened) const {
             facts.add(tr("Operation"), elided(text(o.program.operation_name), 40));
         facts.add(tr("Tool"), tr("T%1, %2 %3")
                                   .arg(o.program.tool_number)
-                                  .arg(text(opened.tools[i].shape_name()),
+                                  .arg(worded(opened.tools[i].shape_name()),
                                        shown_length(opened.tools[i].diameter, unit, 4)));
         facts.add(tr("Motions"), count_text(o.program.motions.motions.size()));
         facts.add(tr("Cut length"), shown_length(o.totals.cut_length, unit, 5));
@@ -195,7 +196,7 @@ QString ReportView::program_html(const OpenedProgram& opened) const {
         html += facts.html();
     }
     for (const std::string& remark : opened.remarks)
-        html += note(sentence(text(remark)), signal.attention);
+        html += note(sentence(worded(remark)), signal.attention);
     return html;
 }
 
@@ -220,7 +221,7 @@ QString ReportView::operation_html(std::size_t i) const {
     if (!result->nothing_to_do.empty())
         return html
                + note(tr("Nothing to do: %1. No program is written for it.")
-                          .arg(with_lengths_in(text(result->nothing_to_do), unit)),
+                          .arg(with_lengths_in(worded(result->nothing_to_do), unit)),
                       signal.quiet);
     const StrategyResult& path = result->path;
     const auto* turned = path.as<TurnedPath>();
@@ -229,10 +230,11 @@ QString ReportView::operation_html(std::size_t i) const {
     facts.add(turned ? tr("Side feed") : tr("Step-over"),
               path.stepover_min == path.stepover_max
                   ? shown_length(path.stepover_min, unit, 4)
-                  : text(format_number(path.stepover_min / mm_per(unit), 4)) + QStringLiteral(" to ")
-                        + shown_length(path.stepover_max, unit, 4));
+                  : tr("%1 to %2")
+                        .arg(number_text(path.stepover_min / mm_per(unit), 4),
+                             shown_length(path.stepover_max, unit, 4)));
     if (!turned)
-        facts.add(tr("Direction"), tr("%1° from X").arg(text(format_number(degrees(path.direction), 4))));
+        facts.add(tr("Direction"), tr("%1° from X").arg(number_text(degrees(path.direction), 4)));
     else if (document_.part())
         add_turning(facts, *turned, document_.part()->box, unit, signal.attention.name());
     facts.add(tr("CC points"), count_text(result->cc_points));
@@ -255,11 +257,11 @@ QString ReportView::operation_html(std::size_t i) const {
     }
     if (const auto* global_local = path.as<GlobalLocalPath>()) {
         const ReworkRegions& r = global_local->rework->regions;
-        facts.add(tr("Rework regions"), r.regions.empty()
-                                            ? tr("none")
-                                            : tr("%1, %2 % of the surface")
-                                                  .arg(count_text(r.regions.size()),
-                                                       text(format_number(100 * r.area / r.part_area, 2))));
+        facts.add(tr("Rework regions"),
+                  r.regions.empty()
+                      ? tr("none")
+                      : tr("%1, %2 % of the surface")
+                            .arg(count_text(r.regions.size()), number_text(100 * r.area / r.part_area, 2)));
     }
     const double tolerance = operation.common().tolerance;
     facts.add(tr("Expected cusp"), shown_length(path.cusp_max, unit, 4),
@@ -274,7 +276,7 @@ QString ReportView::operation_html(std::size_t i) const {
     facts.add(tr("Planned in"), duration_text(result->seconds_planning));
     html += facts.html();
     for (const std::string& warning : result->warnings())
-        html += note(sentence(with_lengths_in(text(warning), unit)), signal.attention);
+        html += note(sentence(with_lengths_in(worded(warning), unit)), signal.attention);
     return html;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/rough_bar.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <QSignalBlocker>
 #include <QSlider>
@@ -134,7 +135,7 @@ void RoughController::start_preview(std::size_t i) {
                 *preview = project->operations.at(i)->preview_layers(
                     preview_context(*project, i, *part, before), progress);
             } catch (const Error& e) {
-                *wrong = with_lengths_in(sentence(text(e.message())), project->unit);
+                *wrong = with_lengths_in(sentence(worded(e.message())), project->unit);
             }
         },
         [=, this, id = id_, fingerprint = fingerprint_](const JobEnd& end) {

@@ -127,6 +127,14 @@ void set_threads(int threads) {
     QSettings().setValue(QStringLiteral("threads"), threads);
 }
 
+QString language() {
+    return QSettings().value(QStringLiteral("language")).toString();
+}
+
+void set_language(const QString& code) {
+    QSettings().setValue(QStringLiteral("language"), code);
+}
+
 Theme theme() {
     return theme_from_name(QSettings().value(QStringLiteral("theme")).toString());
 }

@@ -50,6 +50,10 @@ int threads();
 void set_threads(int threads);
 inline constexpr int max_threads = 1024;
 
+/// The code of a language (language.h); empty: as the system says.
+QString language();
+void set_language(const QString& code);
+
 Theme theme();
 void set_theme(Theme theme);
 

@@ -7,6 +7,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/usual_project_box.h"
+#include "ui/worded.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -136,8 +137,8 @@ void StartHint::list_recent() {
 void StartHint::list_samples() {
     for (const SampleKind& kind : sample_kinds()) {
         const QIcon picture(QStringLiteral(":/pictures/samples/%1.png").arg(text(kind.name)));
-        auto* item = new QListWidgetItem(picture, short_name(text(kind.label)), samples_);
-        item->setToolTip(text(kind.help));
+        auto* item = new QListWidgetItem(picture, short_name(worded(kind.label)), samples_);
+        item->setToolTip(worded(kind.help));
         item->setData(Qt::UserRole, text(kind.name));
     }
 }

@@ -22,7 +22,8 @@ QString time_left_text(double seconds) {
     if (seconds < 3300) return StatusLine::tr("%1 min left").arg(std::max(1L, std::lround(seconds / 60)));
     const double hours = seconds / 3600;
     return StatusLine::tr("%1 h left")
-        .arg(hours < 10 ? QString::number(hours, 'f', 1) : QString::number(std::lround(hours)));
+        .arg(hours < 10 ? in_user_numbers(QString::number(hours, 'f', 1))
+                        : QString::number(std::lround(hours)));
 }
 
 StatusLine::StatusLine(const Document& document, QStatusBar* bar)
@@ -115,7 +116,7 @@ void StatusLine::set_hovered(const std::optional<PartPick>& pick) {
     const Vec3 at = pick->point - zero;
     const double mm = mm_per(document_.unit());
     const auto number = [&](double v) {
-        return QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3);
+        return in_user_numbers(QString::number(v / mm, 'f', document_.unit() == LengthUnit::inch ? 4 : 3));
     };
     readout_->set_text(
         QStringLiteral("x %1   y %2   z %3 %4")

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 #include <chrono>
@@ -77,7 +78,7 @@ void StockPlayer::run() {
         } catch (const std::bad_alloc&) {
             why = tr("Not enough memory to play back the stock");
         } catch (const std::exception& e) {
-            why = text(e.what());
+            why = worded(std::string_view(e.what()));
         }
         std::unique_lock lock(mutex_);
         const std::uint64_t load = order_.load;

@@ -6,6 +6,7 @@
 #include "ui/strip_panel.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 #include "viz/strip_display.h"
 
 #include <QCheckBox>
@@ -103,7 +104,7 @@ QString StripController::empty_reason() const {
         if (document_.state(i) == OperationState::failed)
             return with_lengths_in(sentence(document_.failure(i)), document_.unit());
         if (const auto planned = document_.result(i); planned && !planned->nothing_to_do.empty())
-            return with_lengths_in(sentence(text(planned->nothing_to_do)), document_.unit());
+            return with_lengths_in(sentence(worded(planned->nothing_to_do)), document_.unit());
         return tr("Plan “%1” to see its strips here").arg(text(operation.common().name));
     }
     return tr("Strips of clean-up come here: add a clean-up operation and plan it");
@@ -319,10 +320,10 @@ void StripController::show_touch() {
             const LengthUnit unit = document_.unit();
             const auto place = [&](const Vec3& v) {
                 const int digits = unit == LengthUnit::inch ? 4 : 3;
-                const double mm = mm_per(unit);
-                return QStringLiteral("(%1, %2, %3)")
-                    .arg(QString::number(v.x() / mm, 'f', digits), QString::number(v.y() / mm, 'f', digits),
-                         QString::number(v.z() / mm, 'f', digits));
+                const auto number = [&](double mm) {
+                    return in_user_numbers(QString::number(mm / mm_per(unit), 'f', digits));
+                };
+                return QChar('(') + number_list({number(v.x()), number(v.y()), number(v.z())}) + QChar(')');
             };
             words = tr("Tool %1 touches at %2 and %3 %4; it stays %5 above the bottom.")
                         .arg(record.previous.number)

@@ -4,6 +4,7 @@
 #include "ui/icons.h"
 #include "ui/sorted_item.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 #include "viz/strip_display.h"
 
 #include <QCheckBox>
@@ -145,13 +146,14 @@ void StripPanel::fill(const std::vector<Strip>& strips, LengthUnit unit, Palette
         item->setCheckState(name_column, s.enabled ? Qt::Checked : Qt::Unchecked);
         item->setText(type_column, type_text(s));
         const auto number = [&](int column, double mm) {
-            item->setText(column, mm > 0 ? QString::number(mm / per, 'f', decimals) : QStringLiteral("–"));
+            item->setText(column, mm > 0 ? in_user_numbers(QString::number(mm / per, 'f', decimals))
+                                         : QStringLiteral("–"));
             item->setData(column, SortedItem::sort_role, mm);
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         };
         number(width_column, s.width);
         number(length_column, s.length);
-        const QString reason = with_lengths_in(sentence(text(s.reason)), unit);
+        const QString reason = with_lengths_in(sentence(worded(s.reason)), unit);
         item->setText(reason_column, reason);
         const QString size =
             s.width > 0

@@ -7,6 +7,7 @@
 #include "ui/messages.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QDesktopServices>
 #include <QFileDialog>
@@ -56,9 +57,9 @@ void Templates::list() {
         action->setEnabled(document_.has_part());
         try {
             const std::string name = file.filename().string();
-            action->setToolTip(text(template_summary(InputFile(file).bytes(), name)));
+            action->setToolTip(worded(template_summary(InputFile(file).bytes(), name)));
         } catch (const Error& e) {
-            action->setToolTip(text(e.what()));
+            action->setToolTip(worded(e));
             action->setEnabled(false);
         }
     }
@@ -96,7 +97,7 @@ void Templates::save_with_dialog() {
     try {
         save(name);
     } catch (const Error& e) {
-        messages_.fail(tr("The template was not kept. %1").arg(sentence(text(e.what()))));
+        messages_.fail(tr("The template was not kept. %1").arg(sentence(worded(e))));
     }
 }
 
@@ -112,7 +113,7 @@ void Templates::save(const QString& name) {
     file.write(kept);
     file.commit();
     messages_.information(tr("Kept as template “%1”: %2.")
-                              .arg(elided(name, shown_template), text(template_summary(kept, utf8(name)))));
+                              .arg(elided(name, shown_template), worded(template_summary(kept, utf8(name)))));
 }
 
 void Templates::apply(const std::filesystem::path& file) {
@@ -123,19 +124,20 @@ void Templates::apply(const std::filesystem::path& file) {
         AppliedTemplate applied = apply_template(kept.bytes(), file.filename().string(), document_.project());
         document_.replace_operations(tr("Apply template"), std::move(applied.project));
         for (const std::string& remark : applied.remarks)
-            messages_.warning(text(remark), false);
+            messages_.warning(worded(remark), false);
         const QString what =
-            tr("“%1” applied: %2").arg(name, text(template_summary(kept.bytes(), utf8(name))));
+            tr("“%1” applied: %2").arg(name, worded(template_summary(kept.bytes(), utf8(name))));
         if (applied.remarks.empty())
             messages_.information(what + QChar('.'));
         else if (applied.remarks.size() == 1)
-            messages_.warning(what + tr("; it does not fit in one place. ") + text(applied.remarks.front()));
+            messages_.warning(what + tr("; it does not fit in one place. ")
+                              + worded(applied.remarks.front()));
         else
             messages_.warning(
                 what + tr("; it does not fit in %1 places, which the log has. ").arg(applied.remarks.size())
-                + text(applied.remarks.front()));
+                + worded(applied.remarks.front()));
     } catch (const Error& e) {
-        messages_.fail(tr("The template cannot be applied: %1").arg(text(e.what())));
+        messages_.fail(tr("The template cannot be applied: %1").arg(worded(e)));
     }
 }
 

@@ -1,7 +1,9 @@
 #include "ui/text.h"
 
 #include "core/mesh/mesh_format.h"
+#include "ui/worded.h"
 
+#include <QLocale>
 #include <QObject>
 #include <QRegularExpression>
 
@@ -38,7 +40,7 @@ QString mesh_patterns() {
 QString mesh_filters() {
     QStringList filters{QObject::tr("Meshes (%1)").arg(mesh_patterns())};
     for (const MeshFormat& format : mesh_formats())
-        filters << QStringLiteral("%1 (%2)").arg(text(format.name), patterns_of(format));
+        filters << QStringLiteral("%1 (%2)").arg(worded(format.name), patterns_of(format));
     filters << QObject::tr("All files (*)");
     return filters.join(QStringLiteral(";;"));
 }
@@ -49,8 +51,47 @@ std::optional<LengthUnit> mesh_unit_of(const QString& name) {
     return std::nullopt;
 }
 
+QString number_text(double value, int digits) {
+    return in_user_numbers(text(format_number(value, digits)));
+}
+
+QString in_user_numbers(const QString& text) {
+    const QString mark = QLocale().decimalPoint();
+    if (mark == QLatin1String(".")) return text;
+    static const QRegularExpression point(QStringLiteral("(?<![\\w.])(\\d+)\\.(\\d+)(?![\\w.]*[\\w])"));
+    static const QRegularExpression between(QStringLiteral("(?<=\\d), (?=[-−]?\\d)"));
+    QString own = text;
+    if (mark == QLatin1String(",")) own.replace(between, QStringLiteral("; "));
+    return own.replace(point, QStringLiteral("\\1%1\\2").arg(mark));
+}
+
+QString number_list(const QStringList& numbers) {
+    return numbers.join(QLocale().decimalPoint() == QLatin1String(",") ? QStringLiteral("; ")
+                                                                       : QStringLiteral(", "));
+}
+
+QString with_decimal_point(const QString& entered, const std::string& where) {
+    const QString own = QLocale().decimalPoint();
+    if (own == QLatin1String(".")) return entered;
+    static const QRegularExpression two_marks(QStringLiteral("\\d[.,]\\d+[.,]\\d"));
+    static const QRegularExpression thousands(
+        QStringLiteral("(?<![\\w.,])([1-9]\\d{0,2})\\.(\\d{3})(?![\\w.,])"));
+    if (two_marks.match(entered).hasMatch())
+        throw Error(ErrorCode::wrong_type, where, utf8(QObject::tr("a number has two marks")),
+                    utf8(QObject::tr("write it without marks between thousands")));
+    if (const auto match = thousands.match(entered); match.hasMatch())
+        throw Error(ErrorCode::wrong_type, where,
+                    utf8(QObject::tr("%1 can be read in two ways").arg(match.captured())),
+                    utf8(QObject::tr("write %1 or %2")
+                             .arg(match.captured(1) + match.captured(2),
+                                  match.captured(1) + own + match.captured(2))));
+    static const QRegularExpression mark(QStringLiteral("(?<=\\d)%1(?=\\d)|(?<!\\w)%1(?=\\d)")
+                                             .arg(QRegularExpression::escape(QStringLiteral(","))));
+    return QString(entered).replace(mark, QStringLiteral("."));
+}
+
 QString shown_length(double mm, LengthUnit unit, int digits) {
-    return text(format_number(mm / mm_per(unit), digits)) + QChar(0x00A0) + text(unit_name(unit));
+    return number_text(mm / mm_per(unit), digits) + QChar(0x00A0) + text(unit_name(unit));
 }
 
 QString shown_area(double mm2, LengthUnit unit, int digits) {
@@ -58,7 +99,7 @@ QString shown_area(double mm2, LengthUnit unit, int digits) {
 }
 
 QString size_text(const double (&mm)[3], LengthUnit unit, int digits) {
-    const auto number = [&](double v) { return text(format_number(v / mm_per(unit), digits)); };
+    const auto number = [&](double v) { return number_text(v / mm_per(unit), digits); };
     return QStringLiteral("%1 × %2 × %3 %4")
         .arg(number(mm[0]), number(mm[1]), number(mm[2]), text(unit_name(unit)));
 }
@@ -71,13 +112,13 @@ QString count_text(std::size_t n) {
 }
 
 QString duration_text(double seconds) {
-    return text(facetmill::duration_text(seconds));
+    return worded(facetmill::duration_text(seconds));
 }
 
 QString percent_text(double share) {
     const double p = 100 * share;
-    if (p > 0 && p < 0.01) return QStringLiteral("< 0.01 %");
-    return QString::number(p, 'g', 3) + QStringLiteral(" %");
+    if (p > 0 && p < 0.01) return in_user_numbers(QStringLiteral("< 0.01 %"));
+    return in_user_numbers(QString::number(p, 'g', 3)) + QStringLiteral(" %");
 }
 
 QString elided(const QString& text, int characters) {
@@ -103,14 +144,14 @@ QString some_of(const QStringList& names) {
 QString with_lengths_in(const QString& message, LengthUnit unit) {
     if (unit == LengthUnit::mm) return message;
     static const QRegularExpression length(
-        QStringLiteral("(?<![\\w.])(-?\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?) mm(?![\\w/²])"));
+        QStringLiteral("(?<![\\w.,])(-?\\d+(?:[.,]\\d+)?(?:e[-+]?\\d+)?) mm(?![\\w/²])"));
     QString result;
     qsizetype from = 0;
     for (auto it = length.globalMatch(message); it.hasNext();) {
         const auto match = it.next();
         result += message.mid(from, match.capturedStart() - from);
-        result += text(format_number(match.captured(1).toDouble() / mm_per(unit), 5)) + QChar(' ')
-                  + text(unit_name(unit));
+        const double mm = match.captured(1).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
+        result += number_text(mm / mm_per(unit), 5) + QChar(' ') + text(unit_name(unit));
         from = match.capturedEnd();
     }
     return result + message.mid(from);
@@ -122,8 +163,8 @@ QString sentence(const QString& text) {
 }
 
 QString failure_text(const Error& e) {
-    QString message = sentence(text(e.message()));
-    if (!e.remedy().empty()) message += QStringLiteral(": ") + text(e.remedy());
+    QString message = sentence(worded(e.message()));
+    if (!e.remedy().empty()) message += QStringLiteral(": ") + worded(e.remedy());
     return message;
 }
 

@@ -31,6 +31,18 @@ std::optional<LengthUnit> mesh_unit_of(const QString& name);
 /// The filters of a file dialog for a mesh: all formats together, each by itself, and all files.
 QString mesh_filters();
 
+/// A number as `format_number` rounds it, with the user's decimal mark.
+QString number_text(double value, int digits = 6);
+/// The same for the numbers in a text of core, "0.5 mm"; names and words that hold digits stay. Where the
+/// mark is a comma, semicolons stand between numbers.
+QString in_user_numbers(const QString& text);
+/// Numbers one after the other: "1.5, 2", "1,5; 2".
+QString number_list(const QStringList& numbers);
+/// What the user typed, with points for decimal marks, as core reads it. Who writes commas may write points
+/// as well; only "1.500", which may be meant for thousands, is refused: Error(wrong_type), with `where` for
+/// its place.
+QString with_decimal_point(const QString& entered, const std::string& where);
+
 /// "12.7 mm", "0.5 in": a length of core (mm) in the unit of the project.
 QString shown_length(double mm, LengthUnit unit, int digits = 5);
 /// "12.7 mm²".

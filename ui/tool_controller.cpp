@@ -63,10 +63,9 @@ void ToolController::show_at(const PathPick& pick) {
 QString ToolController::readout_of(const PathPick& pick) const {
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
+    const auto number = [&](double v) { return in_user_numbers(QString::number(v / mm, 'f', digits)); };
     const auto place = [&](const Vec3& v) {
-        return QStringLiteral("%1, %2, %3")
-            .arg(QString::number(v.x() / mm, 'f', digits), QString::number(v.y() / mm, 'f', digits),
-                 QString::number(v.z() / mm, 'f', digits));
+        return number_list({number(v.x()), number(v.y()), number(v.z())});
     };
     const QString unit = text(unit_name(document_.unit())), tip = place(pick.location.tip);
     const auto& program = shown().programs()[pick.source];

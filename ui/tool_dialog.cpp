@@ -8,6 +8,7 @@
 #include "ui/theme.h"
 #include "ui/tool_list.h"
 #include "ui/tool_sketch.h"
+#include "ui/worded.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -250,7 +251,7 @@ void ToolDialog::validate() {
     // What makes no cutter keeps the shape that it had: the message says what is wrong.
     const std::string name = tool().shape_name();
     const bool special = edit_.shape() == CutterShape::special && name != "Invalid";
-    shape_->setItemText(int(CutterShape::special), special ? text(name) : tr("Special"));
+    shape_->setItemText(int(CutterShape::special), special ? worded(name) : tr("Special"));
     shape_->setCurrentIndex(int(edit_.shape()));
     validating_ = false;
 }

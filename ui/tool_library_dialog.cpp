@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "ui/icons.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -168,7 +169,7 @@ void ToolLibraryDialog::show_tools() {
             continue;
         const int row = table_->rowCount();
         table_->insertRow(row);
-        const QString size = text(format_number(t.tool.diameter / per, 5));
+        const QString size = number_text(t.tool.diameter / per, 5);
         table_->setItem(row, number, new NumberItem(QString::number(t.tool.number), double(t.tool.number)));
         table_->setItem(row, name, new QTableWidgetItem(named));
         table_->setItem(row, shape, new QTableWidgetItem(shaped));
@@ -198,7 +199,7 @@ void ToolLibraryDialog::show_tools() {
 void ToolLibraryDialog::tell(const QString& title, const std::vector<std::string>& lines) {
     QStringList all;
     for (const std::string& line : lines)
-        all << text(line);
+        all << worded(line);
     title_->setText(title);
     title_->setVisible(true);
     remarks_->setPlainText(all.join(QChar('\n')));

@@ -2,6 +2,7 @@
 
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 #include "viz/palette.h"
 #include "viz/tool_shape.h"
 
@@ -81,7 +82,7 @@ void ToolSketch::set_tool(const Tool& tool, LengthUnit unit) {
         cutter_radius_ = profile.max_radius();
         has_tool_ = true;
     } catch (const Error& e) {
-        why_not_ = sentence(with_lengths_in(text(e.message()), unit_));
+        why_not_ = sentence(with_lengths_in(worded(e.message()), unit_));
     }
     update();
 }
@@ -273,11 +274,11 @@ void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
     }
     QStringList angles;
     if (tool_.bottom_angle != 0)
-        angles << QStringLiteral("α %1°").arg(text(format_number(degrees(tool_.bottom_angle), 4)));
+        angles << QStringLiteral("α %1°").arg(number_text(degrees(tool_.bottom_angle), 4));
     if (tool_.taper_angle != 0)
-        angles << QStringLiteral("β %1°").arg(text(format_number(degrees(tool_.taper_angle), 4)));
-    const QString below = angles.isEmpty() ? text(tool_.shape_name())
-                                           : text(tool_.shape_name()) + QStringLiteral(" · ")
+        angles << QStringLiteral("β %1°").arg(number_text(degrees(tool_.taper_angle), 4));
+    const QString below = angles.isEmpty() ? worded(tool_.shape_name())
+                                           : worded(tool_.shape_name()) + QStringLiteral(" · ")
                                                  + angles.join(QStringLiteral(" · "));
     p.drawText(QRectF(-area.width() / 2 + 14, 16, area.width(), 18), Qt::AlignHCenter, below);
     p.restore();

@@ -3,6 +3,7 @@
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -26,11 +27,11 @@ UsualProjectBox::UsualProjectBox(QWidget* parent) : QWidget(parent) {
     };
     machine_ = add("usual_machine", tr("&Machine"));
     for (const Machine& m : machines())
-        machine_->addItem(text(m.label), text(m.name));
+        machine_->addItem(worded(m.label), text(m.name));
     post_ = add("usual_post", tr("&Control"));
     post_->addItem(tr("none: APT only"), QString());
     for (const Post& p : posts())
-        post_->addItem(text(p.label), text(p.name));
+        post_->addItem(worded(p.label), text(p.name));
     unit_ = add("usual_unit", tr("Meshes are in"));
     unit_->addItem(tr("ask each time"), QString());
     for (const LengthUnit unit : mesh_units)

@@ -1,6 +1,7 @@
 #include "ui/value_words.h"
 
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -53,13 +54,19 @@ const ValueWord* value_word(const ParameterInfo& info, const std::string& word) 
 
 QString shown_word(const ParameterInfo& info, const std::string& word) {
     if (const ValueWord* w = value_word(info, word)) return translated(w->shown);
-    return text(word).replace(QChar('_'), QChar(' '));
+    return worded(text(word).replace(QChar('_'), QChar(' ')));
 }
 
 QString word_of(const ParameterInfo& info, const QString& shown) {
     for (const std::string& word : info.words)
         if (shown.trimmed().compare(shown_word(info, word), Qt::CaseInsensitive) == 0) return text(word);
     return shown;
+}
+
+QString shown_count(const ParameterInfo& info, const ParameterValue& value) {
+    const QString count = text(info.count_text(value));
+    const QString number = count.section(QChar(' '), 0, 0), noun = count.section(QChar(' '), 1);
+    return noun.isEmpty() ? worded(count) : number + QChar(' ') + worded(noun);
 }
 
 QString with_shown_words(const ParameterInfo& info, const QString& sentence) {
@@ -78,7 +85,7 @@ QString shown_number(double core_value, const ParameterInfo& info, LengthUnit un
     const auto is_round = [](double v) {
         return std::abs(std::stod(format_number(v, round_digits)) - v) <= 1e-12 * std::abs(v);
     };
-    return text(format_number(value, !is_round(value) && is_round(other) ? few_digits : all_digits));
+    return number_text(value, !is_round(value) && is_round(other) ? few_digits : all_digits);
 }
 
 } // namespace facetmill::ui

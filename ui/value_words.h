@@ -12,6 +12,8 @@ namespace facetmill::ui {
 QString shown_word(const ParameterInfo& info, const std::string& word);
 /// What shown_word makes of a word of `info`, or the word itself, back again; other texts stay.
 QString word_of(const ParameterInfo& info, const QString& shown);
+/// What a list holds: "3 kept postures", "none".
+QString shown_count(const ParameterInfo& info, const ParameterValue& value);
 /// A sentence about the parameter, such as its help, with its words as fields show them.
 QString with_shown_words(const ParameterInfo& info, const QString& sentence);
 

@@ -12,6 +12,7 @@
 #include "ui/verification_panel.h"
 #include "ui/verification_run.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <QKeyEvent>
 
@@ -125,7 +126,7 @@ void VerificationController::tell(const VerificationOutcome& outcome, bool one_o
     emit said(v.passed() ? MessageBar::Kind::information : MessageBar::Kind::warning,
               from + verdict_message(outcome, document_.unit()), true);
     for (const std::string& remark : v.remarks)
-        emit said(MessageBar::Kind::information, with_lengths_in(sentence(text(remark)), document_.unit()),
+        emit said(MessageBar::Kind::information, with_lengths_in(sentence(worded(remark)), document_.unit()),
                   false);
 }
 
@@ -267,7 +268,7 @@ void VerificationController::show_playback() {
     const CutterLocation tool = playback_.tool();
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
-    const auto number = [&](double v) { return QString::number(v / mm, 'f', digits); };
+    const auto number = [&](double v) { return in_user_numbers(QString::number(v / mm, 'f', digits)); };
     emit tool_moved(tr("%1   GOTO %2   CL %3, %4, %5 %6")
                         .arg(text(track.operation(at.program).name))
                         .arg(at.motion + 1)

@@ -1,6 +1,7 @@
 #include "ui/verification_model.h"
 
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 
@@ -245,7 +246,7 @@ QString uncut_text(const Verification& v) {
 QString failure_text(const VerificationOutcome& outcome, LengthUnit unit) {
     const Verification& v = *outcome.verification;
     if (v.passed()) return {};
-    if (v.verdict() == facetmill::Verdict::not_judged) return with_lengths_in(text(v.not_judged), unit);
+    if (v.verdict() == facetmill::Verdict::not_judged) return with_lengths_in(worded(v.not_judged), unit);
     QStringList parts;
     if (v.gouged())
         parts << VerificationModel::tr("gouges up to %1")
@@ -277,7 +278,7 @@ QString VerificationModel::why(std::size_t operation) const {
     if (!current_) return tr("Verification out of date: the project has changed since");
     if (verdict(operation) == Verdict::not_judged)
         return tr("Cannot be judged: %1")
-            .arg(with_lengths_in(text(verification().not_judged), document_.unit()));
+            .arg(with_lengths_in(worded(verification().not_judged), document_.unit()));
     if (verdict(operation) == Verdict::verified) return tr("Verified: no gouge, no collision");
     double deepest = 0;
     std::size_t gouges = 0, collisions = 0;

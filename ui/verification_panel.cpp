@@ -5,6 +5,7 @@
 #include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -171,7 +172,7 @@ void VerificationPanel::show_figures() {
     QString remarks;
     for (const std::string& r : model_.verification().remarks)
         remarks += QStringLiteral("<p style=\"margin:2px 0\">%1</p>")
-                       .arg(with_lengths_in(sentence(text(r)), document_.unit()).toHtmlEscaped());
+                       .arg(with_lengths_in(sentence(worded(r)), document_.unit()).toHtmlEscaped());
     remarks_->setText(remarks);
     remarks_->setVisible(!remarks.isEmpty());
 }
@@ -245,7 +246,7 @@ QString VerificationPanel::figures_html() const {
     const SignalColors signal = signal_colors(palette());
     const QString quiet = signal.quiet.name();
     const auto number = [&](double mm) {
-        return text(format_number(mm / mm_per(unit), 2)).replace(QChar('-'), QChar(0x2212));
+        return number_text(mm / mm_per(unit), 2).replace(QChar('-'), QChar(0x2212));
     };
     const auto row = [&](const QString& name, const QString& value, const QString& color = {}) {
         return QStringLiteral("<tr><td style=\"color:%1; padding:1px 10px 1px 0\">%2</td>"
@@ -273,7 +274,7 @@ QString VerificationPanel::figures_html() const {
                 : v.uncut_share > 0 ? signal.attention.name()
                                     : QString());
         for (const UncutReason& r : v.uncut)
-            html += row(tr("… %1").arg(text(uncut_reason_text(r))),
+            html += row(tr("… %1").arg(worded(uncut_reason_text(r))),
                         tr("%1, up to %2").arg(shown_area(r.area, unit), length(r.excess_max)));
     }
     html += row(tr("Collisions"), count_text(v.collisions.size()),
@@ -334,7 +335,7 @@ void VerificationPanel::fill_findings() {
         item->setData(kind_column, finding_role, qulonglong(i));
         item->setData(kind_column, SortedItem::sort_role, double(i)); // the order of their weight
         item->setIcon(kind_column, icon(f.kind == Finding::Kind::excess ? Icon::information : Icon::error));
-        item->setText(depth_column, text(format_number(f.depth / mm_per(listed_unit_), 3)));
+        item->setText(depth_column, number_text(f.depth / mm_per(listed_unit_), 3));
         item->setData(depth_column, SortedItem::sort_role, f.depth);
         item->setTextAlignment(depth_column, Qt::AlignRight | Qt::AlignVCenter);
         item->setTextAlignment(goto_column, Qt::AlignRight | Qt::AlignVCenter);

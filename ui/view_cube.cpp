@@ -2,6 +2,7 @@
 
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/worded.h"
 #include "viz/palette.h"
 
 #include <QHelpEvent>
@@ -19,23 +20,23 @@ namespace {
 struct Face {
     StandardView view;
     Vec3 outward, right, up; ///< right and up as its label is written
-    const char* label;
 };
 
 const std::array<Face, 6>& faces() {
     static const std::array<Face, 6> all = {{
-        {StandardView::front, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, "FRONT"},
-        {StandardView::rear, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, "REAR"},
-        {StandardView::right, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, "RIGHT"},
-        {StandardView::left, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, "LEFT"},
-        {StandardView::top, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "TOP"},
-        {StandardView::bottom, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, "BOTTOM"},
+        {StandardView::front, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {StandardView::rear, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+        {StandardView::right, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {StandardView::left, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+        {StandardView::top, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+        {StandardView::bottom, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
     }};
     return all;
 }
 
 constexpr int side = 92;
 constexpr double half_edge = 25.0;
+constexpr int widest_label = 96; ///< of a face, whose side is 100
 const QRectF house(side - 21, side - 21, 18, 18);
 constexpr double house_radius = 11.0, arrow_radius = 9.0;
 
@@ -125,9 +126,12 @@ void ViewCube::paintEvent(QPaintEvent*) {
         QFont font = this->font();
         font.setPixelSize(21);
         font.setBold(true);
+        const QString label = worded(view_label(f.view)).toUpper();
+        if (const int wide = QFontMetrics(font).horizontalAdvance(label); wide > widest_label)
+            font.setPixelSize(font.pixelSize() * widest_label / wide);
         p.setFont(font);
         p.setPen(hover_ == f.view ? to_qt(colors.on_accent) : ink);
-        p.drawText(QRectF(0, 0, 100, 100), Qt::AlignCenter, QLatin1String(f.label));
+        p.drawText(QRectF(0, 0, 100, 100), Qt::AlignCenter, label);
         p.restore();
     }
     QColor ground = body;
@@ -202,7 +206,7 @@ bool ViewCube::event(QEvent* event) {
             QToolTip::showText(help->globalPos(), roll > 0 ? tr("Roll clockwise") : tr("Roll anticlockwise"),
                                this);
         else if (const auto face = face_at(help->pos()))
-            QToolTip::showText(help->globalPos(), text(view_label(*face)), this);
+            QToolTip::showText(help->globalPos(), worded(view_label(*face)), this);
         else
             QToolTip::hideText();
         return true;

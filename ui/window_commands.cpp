@@ -24,6 +24,7 @@
 #include "ui/text.h"
 #include "ui/undo_keys.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 #include "ui/workspaces.h"
 
 #include <QAction>
@@ -62,7 +63,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   idle,
                   {},
                   tr("Show, play back and verify an existing program (%1) without planning")
-                      .arg(text(apt_writer().label))});
+                      .arg(worded(apt_writer().label))});
     commands.add({"close_program",
                   tr("&Close program"),
                   {},
@@ -219,7 +220,7 @@ void add_view_commands(Commands& commands, MainWindow& w) {
     int digit = 0;
     for (const StandardView view : standard_views())
         commands.add({"view_" + text(view_name(view)),
-                      text(view_label(view)),
+                      worded(view_label(view)),
                       icons[std::size_t(view)],
                       {QKeySequence(Qt::Key_0 + digit++)},
                       [&, view] { viewport.set_view(view); },

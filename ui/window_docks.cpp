@@ -3,6 +3,7 @@
 #include "ui/controller.h"
 
 #include <QAction>
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QShortcut>
 #include <QTabBar>
@@ -23,6 +24,20 @@ constexpr int right_width = 306;
 constexpr int narrow_window = 1000;
 
 } // namespace
+
+WindowDocks::WindowDocks(QMainWindow* window) : QObject(window), window_(*window) {
+    window_.installEventFilter(this);
+}
+
+bool WindowDocks::eventFilter(QObject* object, QEvent* event) {
+    // Names of docks are read whole: where there is no room for all of them their tabs are scrolled.
+    if (event->type() == QEvent::ChildPolished)
+        if (auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
+            bar->setElideMode(Qt::ElideNone);
+            bar->setUsesScrollButtons(true);
+        }
+    return QObject::eventFilter(object, event);
+}
 
 void WindowDocks::add(const Place& place) {
     auto* dock = new QDockWidget(place.title, &window_);

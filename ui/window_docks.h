@@ -27,7 +27,7 @@ public:
         bool hidden = false;              ///< until it is offered or asked for
     };
 
-    explicit WindowDocks(QMainWindow* window) : QObject(window), window_(*window) {}
+    explicit WindowDocks(QMainWindow* window);
     ~WindowDocks() override { clear(); }
 
     void add(const Place& place);
@@ -45,6 +45,8 @@ public:
     /// In a narrow window what stands on the right goes behind the parameters, so that the view keeps room;
     /// in a wide one it goes back.
     void arrange();
+
+    bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
     void bring_to_light(QDockWidget* dock);

@@ -5,6 +5,7 @@
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/window_docks.h"
+#include "ui/worded.h"
 #include "viz/scene.h"
 
 #include <QActionGroup>
@@ -126,9 +127,9 @@ QMenu* make_sample_menu(QMainWindow* window, const std::function<void(const std:
     menu->setObjectName(QStringLiteral("sample_menu"));
     menu->setToolTipsVisible(true);
     for (const SampleKind& kind : sample_kinds()) {
-        QAction* a = menu->addAction(text(kind.label), window, [take, name = kind.name] { take(name); });
+        QAction* a = menu->addAction(worded(kind.label), window, [take, name = kind.name] { take(name); });
         a->setObjectName(QStringLiteral("sample_") + text(kind.name));
-        a->setToolTip(text(kind.help));
+        a->setToolTip(worded(kind.help));
     }
     return menu;
 }

@@ -1,5 +1,7 @@
 #include "viz/overlay_canvas.h"
 
+#include "viz/overlay_words.h"
+
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -65,7 +67,8 @@ void OverlayCanvas::set_size(int width, int height, double ratio) {
     ratio_ = ratio;
 }
 
-double OverlayCanvas::text_width(const std::string& text, double size, bool bold) const {
+double OverlayCanvas::text_width(const std::string& english, double size, bool bold) const {
+    const std::string text = overlay_words(english);
     vtkNew<vtkTextProperty> property;
     set_font(property, size * ratio_, bold);
     int box[4] = {0, 0, 0, 0};
@@ -74,7 +77,8 @@ double OverlayCanvas::text_width(const std::string& text, double size, bool bold
     return (box[1] - box[0] + 1) / ratio_;
 }
 
-std::string OverlayCanvas::shortened(const std::string& text, double width, double size, bool bold) const {
+std::string OverlayCanvas::shortened(const std::string& english, double width, double size, bool bold) const {
+    const std::string text = overlay_words(english);
     if (text_width(text, size, bold) <= width) return text;
     // The two ends tell names apart: "long-fixture-n…e-2-rev-b.stl".
     const auto starts = character_starts(text);
@@ -139,7 +143,7 @@ void OverlayCanvas::write(const OverlayText& text) {
     vtkTextProperty* property = actor->GetTextProperty();
     set_font(property, pixels, text.bold);
     property->SetColor(text.color.r, text.color.g, text.color.b);
-    actor->SetInput(text.text.c_str());
+    actor->SetInput(overlay_words(text.text).c_str());
     actor->SetVisibility(1);
     actor->SetPosition(std::round(x * ratio_),
                        std::round(height_ - text.y * ratio_ - (0.5 * cap_height + descent) * pixels));

@@ -184,10 +184,10 @@ std::string ParameterInfo::range_text(LengthUnit unit) const {
     if (!low && !high) return {};
     if (low && high && !open_minimum)
         return format_number(minimum / scale(unit)) + " to " + with_unit(maximum, *this, unit);
-    std::string text;
-    if (low) text = std::string(open_minimum ? "above " : "at least ") + with_unit(minimum, *this, unit);
-    if (high) text += (text.empty() ? "at most " : " and at most ") + with_unit(maximum, *this, unit);
-    return text;
+    if (low && high)
+        return "above " + with_unit(minimum, *this, unit) + " and at most " + with_unit(maximum, *this, unit);
+    if (high) return "at most " + with_unit(maximum, *this, unit);
+    return std::string(open_minimum ? "above " : "at least ") + with_unit(minimum, *this, unit);
 }
 
 std::string ParameterInfo::value_text(const ParameterValue& value, LengthUnit unit) const {

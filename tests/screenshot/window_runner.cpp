@@ -1,6 +1,7 @@
 // Runs the window tests: a real application, with settings and caches in a folder of its own, and one font.
 #include "tests/screenshot/window_support.h"
 
+#include "ui/language.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
     QApplication app(argc, argv);
     app.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
     app.setCursorFlashTime(0);
+    facetmill::ui::speak(QStringLiteral("en")); // whatever the machine speaks
     facetmill::ui::apply_theme(app, facetmill::ui::Theme::light);
 
     return facetmill::test::run_tests(argc, argv);

@@ -1,0 +1,12462 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>core</name>
+    <message>
+        <source> (about {1} in all)</source>
+        <translation> (etwa {1} insgesamt)</translation>
+    </message>
+    <message>
+        <source> and a stick-out of {1} below the holder instead of {2}</source>
+        <translation> und eine Auskraglänge von {1} unter dem Halter statt {2}</translation>
+    </message>
+    <message>
+        <source> and {1} more</source>
+        <translation> und {1} weitere</translation>
+    </message>
+    <message>
+        <source> and {1} of the surface stays uncut by up to {2}, most at {3}</source>
+        <translation> und {1} der Fläche bleiben um bis zu {2} stehen, am meisten bei {3}</translation>
+    </message>
+    <message>
+        <source> and {1} to avoid</source>
+        <translation> und {1} zu meiden</translation>
+    </message>
+    <message>
+        <source> but {1}</source>
+        <translation> sondern {1}</translation>
+    </message>
+    <message>
+        <source> in the fixture '{1}'</source>
+        <translation> im Spannmittel '{1}'</translation>
+    </message>
+    <message>
+        <source> in the part</source>
+        <translation> im Teil</translation>
+    </message>
+    <message>
+        <source> in the stock</source>
+        <translation> im Rohteil</translation>
+    </message>
+    <message>
+        <source> of '{1}'</source>
+        <translation> von '{1}'</translation>
+    </message>
+    <message>
+        <source> or {1}</source>
+        <translation> oder {1}</translation>
+    </message>
+    <message>
+        <source> · no tool yet</source>
+        <translation> · noch kein Werkzeug</translation>
+    </message>
+    <message>
+        <source> · tool {1}</source>
+        <translation> · Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>'solid' expected</source>
+        <translation>'solid' erwartet</translation>
+    </message>
+    <message>
+        <source>'{1}' begins inside the part.</source>
+        <translation>'{1}' beginnt im Teil.</translation>
+    </message>
+    <message>
+        <source>'{1}' cannot change tools, and the operations have several</source>
+        <translation>'{1}' kann keine Werkzeuge wechseln, und die Operationen haben mehrere</translation>
+    </message>
+    <message>
+        <source>'{1}' has a comma</source>
+        <translation>'{1}' hat ein Komma</translation>
+    </message>
+    <message>
+        <source>'{1}' is a length, the field has none</source>
+        <translation>'{1}' ist eine Länge, das Feld hat keine</translation>
+    </message>
+    <message>
+        <source>'{1}' is left over</source>
+        <translation>'{1}' ist übrig</translation>
+    </message>
+    <message>
+        <source>'{1}' is no format of a tool library</source>
+        <translation>'{1}' ist kein Format einer Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>'{1}' is no letter and number</source>
+        <translation>'{1}' ist nicht Buchstabe und Zahl</translation>
+    </message>
+    <message>
+        <source>'{1}' is no name</source>
+        <translation>'{1}' ist kein Name</translation>
+    </message>
+    <message>
+        <source>'{1}' is no number</source>
+        <translation>'{1}' ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>'{1}' is no number or range of {2}</source>
+        <translation>'{1}' ist keine Nummer und kein Bereich: {2}</translation>
+    </message>
+    <message>
+        <source>'{1}' is no unit that this field can have</source>
+        <translation>'{1}' ist keine Einheit, die dieses Feld haben kann</translation>
+    </message>
+    <message>
+        <source>'{1}' is not a finite number</source>
+        <translation>'{1}' ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>'{1}' is not a number</source>
+        <translation>'{1}' ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>'{1}' is not in the packed file</source>
+        <translation>'{1}' ist nicht in der gepackten Datei</translation>
+    </message>
+    <message>
+        <source>'{1}' is out of place</source>
+        <translation>'{1}' ist fehl am Platz</translation>
+    </message>
+    <message>
+        <source>'{1}' names no property</source>
+        <translation>'{1}' benennt keine Eigenschaft</translation>
+    </message>
+    <message>
+        <source>'{1}' names no tool (LOADTL), and its cutter is not that of tool {2}: shank and holder are not known and were not judged.</source>
+        <translation>'{1}' nennt kein Werkzeug (LOADTL), und sein Fräser ist nicht der von Werkzeug {2}: Schaft und Halter sind nicht bekannt und wurden nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>'{1}' names no tool (LOADTL): its cutter is that of tool {2}, so shank and holder of that were judged.</source>
+        <translation>'{1}' nennt kein Werkzeug (LOADTL): sein Fräser ist der von Werkzeug {2}, also wurden dessen Schaft und Halter beurteilt.</translation>
+    </message>
+    <message>
+        <source>'{1}' stands behind what has a unit already</source>
+        <translation>'{1}' steht hinter etwas, das schon eine Einheit hat</translation>
+    </message>
+    <message>
+        <source>'{1}' was bounded by '{2}', which this setup does not have: it cuts everywhere now</source>
+        <translation>'{1}' war durch '{2}' begrenzt, das diese Aufspannung nicht hat: sie fräst jetzt überall</translation>
+    </message>
+    <message>
+        <source>'{1}', GOTO {2}</source>
+        <translation>'{1}', GOTO {2}</translation>
+    </message>
+    <message>
+        <source>'{1}', GOTO {2}, where the axis turns {3}</source>
+        <translation>'{1}', GOTO {2}, wo sich die Achse um {3} dreht</translation>
+    </message>
+    <message>
+        <source>'{1}', line {2}</source>
+        <translation>'{1}', Zeile {2}</translation>
+    </message>
+    <message>
+        <source>'{1}', line {2}, where the axis turns {3}</source>
+        <translation>'{1}', Zeile {2}, wo sich die Achse um {3} dreht</translation>
+    </message>
+    <message>
+        <source>'{1}': '{2}' belongs to places of another part and was left behind</source>
+        <translation>'{1}': '{2}' gehört zu Stellen eines anderen Teils und blieb zurück</translation>
+    </message>
+    <message>
+        <source>'{1}': the project has no tool {2}, so shank and holder are not known and were not judged.</source>
+        <translation>'{1}': das Projekt hat kein Werkzeug {2}, Schaft und Halter sind also nicht bekannt und wurden nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>'{1}': {2} of {3} motions at feed are outside the stock.</source>
+        <translation>'{1}': {2} von {3} Bewegungen im Vorschub liegen außerhalb des Rohteils.</translation>
+    </message>
+    <message>
+        <source>, as at {1}, {2}, {3}</source>
+        <translation>, etwa bei {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>, limit {1}</source>
+        <translation>, Grenze {1}</translation>
+    </message>
+    <message>
+        <source>, operation {1}</source>
+        <translation>, Operation {1}</translation>
+    </message>
+    <message>
+        <source>, pass {1}</source>
+        <translation>, Bahn {1}</translation>
+    </message>
+    <message>
+        <source>, tool {1}</source>
+        <translation>, Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>0 for a sharp corner; half the diameter for a ball end.</source>
+        <translation>0 für eine scharfe Ecke; der halbe Durchmesser für einen Kugelkopf.</translation>
+    </message>
+    <message>
+        <source>0 or more and below 90°</source>
+        <translation>0 oder mehr und unter 90°</translation>
+    </message>
+    <message>
+        <source>: it is no text</source>
+        <translation>: es ist kein Text</translation>
+    </message>
+    <message>
+        <source>; and {1} more</source>
+        <translation>; und {1} weitere</translation>
+    </message>
+    <message>
+        <source>; from setup '{1}': </source>
+        <translation>; von Aufspannung '{1}': </translation>
+    </message>
+    <message>
+        <source>; more points are put in where it turns more</source>
+        <translation>; wo sie sich stärker dreht, kommen Punkte hinzu</translation>
+    </message>
+    <message>
+        <source>; the tolerance allows </source>
+        <translation>; die Toleranz erlaubt </translation>
+    </message>
+    <message>
+        <source>; {1} collision, the deepest {2} by a rapid{3} ({4})</source>
+        <translation>; {1} Kollision, die tiefste {2} im Eilgang{3} ({4})</translation>
+    </message>
+    <message>
+        <source>; {1} collision, the deepest {2} by the {3} ({4})</source>
+        <translation>; {1} Kollision, die tiefste {2} durch {3} ({4})</translation>
+    </message>
+    <message>
+        <source>; {1} collisions, the deepest {2} by a rapid{3} ({4})</source>
+        <translation>; {1} Kollisionen, die tiefste {2} im Eilgang{3} ({4})</translation>
+    </message>
+    <message>
+        <source>; {1} collisions, the deepest {2} by the {3} ({4})</source>
+        <translation>; {1} Kollisionen, die tiefste {2} durch {3} ({4})</translation>
+    </message>
+    <message>
+        <source>A car body with four steep concave scoops, 12 × 6 in.</source>
+        <translation>Eine Karosserie mit vier steilen hohlen Mulden, 12 × 6 in.</translation>
+    </message>
+    <message>
+        <source>A corner of the curve.</source>
+        <translation>Eine Ecke der Kurve.</translation>
+    </message>
+    <message>
+        <source>A domed surface with a winding gap between two walls, 6 × 5 in.</source>
+        <translation>Eine gewölbte Fläche mit gewundenem Spalt zwischen zwei Wänden, 6 × 5 in.</translation>
+    </message>
+    <message>
+        <source>A long curved strip with concave blends, like a car's A-pillar, 20 × 6 in.</source>
+        <translation>Ein langer gebogener Streifen mit hohlen Übergängen, wie die A-Säule eines Autos, 20 × 6 in.</translation>
+    </message>
+    <message>
+        <source>A picture does not say how large it is: where the job does not either, it was taken as 100 mm wide and 5 mm high.</source>
+        <translation>Ein Bild sagt nicht, wie groß es ist: wo es auch der Auftrag nicht tut, gilt es als 100 mm breit und 5 mm hoch.</translation>
+    </message>
+    <message>
+        <source>A piece of the stock, {1} long, comes off at {2}.</source>
+        <translation>Ein Stück des Rohteils, {1} lang, löst sich bei {2}.</translation>
+    </message>
+    <message>
+        <source>A place on the part: the region nearest to it is meant.</source>
+        <translation>Eine Stelle auf dem Teil: gemeint ist der nächste Bereich.</translation>
+    </message>
+    <message>
+        <source>A pocket with walls at 3° of draft, sharp inner corners and a boss on its floor, 100 × 80 mm.</source>
+        <translation>Eine Tasche mit Wänden von 3° Entformungsschräge, scharfen Innenecken und einem Zapfen am Boden, 100 × 80 mm.</translation>
+    </message>
+    <message>
+        <source>A program for each operation, or one for all with tool changes between.</source>
+        <translation>Ein Programm je Operation, oder eines für alle mit Werkzeugwechseln dazwischen.</translation>
+    </message>
+    <message>
+        <source>A solid without facets is in the file; it was ignored.</source>
+        <translation>In der Datei ist ein Körper ohne Facetten; er wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.</source>
+        <translation>Ein quadratisches Prisma, Seite 45 mm, 60 mm lang, mit einer Vierteldrehung um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>Accelerations</source>
+        <translation>Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Advance along the axis in a turn: adaptive is everywhere the largest that leaves no cusp above the tolerance; a length is kept whatever it leaves. Of lengthwise lines: their distance at the part's largest radius.</source>
+        <translation>Vorschub entlang der Achse je Umdrehung: adaptiv ist überall der größte, der keine Rille über der Toleranz lässt; eine Länge wird eingehalten, was sie auch lässt. Bei Längslinien: ihr Abstand am größten Radius des Teils.</translation>
+    </message>
+    <message>
+        <source>All but that: what was inside is outside.</source>
+        <translation>Alles außer dem: was innen war, ist außen.</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Along which the cylinder lies, through the middle of the part's box.</source>
+        <translation>Entlang der der Zylinder liegt, durch die Mitte des Quaders um das Teil.</translation>
+    </message>
+    <message>
+        <source>Also points left out</source>
+        <translation>Auch ausgelassene Punkte</translation>
+    </message>
+    <message>
+        <source>Angle tolerance</source>
+        <translation>Winkeltoleranz</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Approach, retract</source>
+        <translation>Anfahren, Rückzug</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Assumed lead limit</source>
+        <translation>Angenommene Grenze</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Meiden</translation>
+    </message>
+    <message>
+        <source>Avoid by</source>
+        <translation>Meiden um</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Axis from</source>
+        <translation>Achse von</translation>
+    </message>
+    <message>
+        <source>Axis through</source>
+        <translation>Achse durch</translation>
+    </message>
+    <message>
+        <source>Axis to</source>
+        <translation>Achse bis</translation>
+    </message>
+    <message>
+        <source>Back of the surface</source>
+        <translation>Rückseite der Fläche</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Ball end</source>
+        <translation>Kugelkopf</translation>
+    </message>
+    <message>
+        <source>Below the bottom</source>
+        <translation>Unter dem Boden</translation>
+    </message>
+    <message>
+        <source>Between passes; 0 where nobody says.</source>
+        <translation>Zwischen Bahnen; 0, wo niemand ihn nennt.</translation>
+    </message>
+    <message>
+        <source>Beyond the machine</source>
+        <translation>Außerhalb der Maschine</translation>
+    </message>
+    <message>
+        <source>Black is the top of a picture's relief and white its ground. What is transparent lies on the ground all the same.</source>
+        <translation>Schwarz ist oben im Relief eines Bildes und Weiß sein Grund. Was durchsichtig ist, liegt trotzdem auf dem Grund.</translation>
+    </message>
+    <message>
+        <source>Body shell</source>
+        <translation>Karosserie</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Bottom angle</source>
+        <translation>Stirnwinkel</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Schranke</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Begrenzung</translation>
+    </message>
+    <message>
+        <source>Boundary drags</source>
+        <translation>Gezogene Begrenzungen</translation>
+    </message>
+    <message>
+        <source>Bull</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>Bull nose</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>Bytes follow every facet of the binary STL file, as many as its attribute word says; they were skipped.</source>
+        <translation>Jeder Facette der binären STL-Datei folgen so viele Bytes, wie ihr Attributwort sagt; sie wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>Bytes follow the end of the mesh; they were ignored.</source>
+        <translation>Dem Ende des Netzes folgen Bytes; sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>Checking passes</source>
+        <translation>Bahnen werden geprüft</translation>
+    </message>
+    <message>
+        <source>Chip load</source>
+        <translation>Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>Chipload</source>
+        <translation>Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>Choose global postures, and count the time, with what the machine's axes take to change their speed, where its file says.</source>
+        <translation>Globale Stellungen wählen und die Zeit zählen mit dem, was die Achsen der Maschine zum Ändern ihrer Geschwindigkeit brauchen, wo ihre Datei es sagt.</translation>
+    </message>
+    <message>
+        <source>Choosing layers</source>
+        <translation>Ebenen werden gewählt</translation>
+    </message>
+    <message>
+        <source>Chord tolerance</source>
+        <translation>Sehnentoleranz</translation>
+    </message>
+    <message>
+        <source>Chosen: {1}</source>
+        <translation>Gewählt: {1}</translation>
+    </message>
+    <message>
+        <source>Chuck</source>
+        <translation>Futter</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Comparing tools</source>
+        <translation>Werkzeuge werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing with the part</source>
+        <translation>Mit dem Teil wird verglichen</translation>
+    </message>
+    <message>
+        <source>Complex surface</source>
+        <translation>Komplexe Fläche</translation>
+    </message>
+    <message>
+        <source>Concave surface</source>
+        <translation>Hohle Fläche</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Cone-bottom bull nose</source>
+        <translation>Torus mit Kegelstirn</translation>
+    </message>
+    <message>
+        <source>Contact points</source>
+        <translation>Berührpunkte</translation>
+    </message>
+    <message>
+        <source>Contact points (CC)</source>
+        <translation>Berührpunkte (CC)</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Convex surface</source>
+        <translation>Gewölbte Fläche</translation>
+    </message>
+    <message>
+        <source>Core radius</source>
+        <translation>Kernradius</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Corners of a closed curve, which is looked at along Z.</source>
+        <translation>Ecken einer geschlossenen Kurve, entlang Z betrachtet.</translation>
+    </message>
+    <message>
+        <source>Course of the passes: parallel drive planes.</source>
+        <translation>Verlauf der Bahnen: parallele Führungsebenen.</translation>
+    </message>
+    <message>
+        <source>Course of the tool: one helix, rings with steps between them, or lengthwise lines to and fro with turns between them.</source>
+        <translation>Verlauf des Werkzeugs: eine Wendel, Ringe mit Schritten dazwischen, oder Längslinien hin und her mit Drehungen dazwischen.</translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Cusp</source>
+        <translation>Spitzenhöhe</translation>
+    </message>
+    <message>
+        <source>Cusps are known point by point for 5-axis operations only; the report has the largest one.</source>
+        <translation>Spitzenhöhen sind nur bei 5-Achs-Operationen Punkt für Punkt bekannt; der Bericht hat die größte.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Cuts only where more than the tolerance stands of the stock, as raw material and the operations before left it.</source>
+        <translation>Fräst nur, wo vom Rohteil mehr als die Toleranz steht, wie das Rohmaterial und die Operationen davor es ließen.</translation>
+    </message>
+    <message>
+        <source>Cutter, elsewhere</source>
+        <translation>Fräser, anderswo</translation>
+    </message>
+    <message>
+        <source>Cutter, near the contact</source>
+        <translation>Fräser, nahe am Berührpunkt</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Wird geschnitten</translation>
+    </message>
+    <message>
+        <source>Cutting diameter. With a taper angle: where bottom and side line meet, below the corner rounding.</source>
+        <translation>Schneidendurchmesser. Mit Flankenwinkel: wo sich Boden- und Seitenlinie treffen, unter der Eckenrundung.</translation>
+    </message>
+    <message>
+        <source>Cutting edges; 0 where nobody says. Feeds are worked out from a chip load by it.</source>
+        <translation>Anzahl der Schneiden; 0, wo niemand sie nennt. Vorschübe werden damit aus dem Zahnvorschub berechnet.</translation>
+    </message>
+    <message>
+        <source>Cutting layers</source>
+        <translation>Ebenen werden gefräst</translation>
+    </message>
+    <message>
+        <source>CuttingEdgeHeight is not said: all of its length is taken for flutes</source>
+        <translation>CuttingEdgeHeight fehlt: die ganze Länge gilt als Schneide</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Decimating</source>
+        <translation>Wird ausgedünnt</translation>
+    </message>
+    <message>
+        <source>Deepest gouges</source>
+        <translation>Tiefste Verletzungen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Deviation ({1})</source>
+        <translation>Abweichung ({1})</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the section.</source>
+        <translation>Durchmesser des Abschnitts.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Direction from the tip to the spindle in the setup's coordinates, kept all along; 0, 0, 1 is upright. With another one the operation is planned as seen along it, X and Y turned with it the shortest way, and keeps above the bottom of the stock.</source>
+        <translation>Richtung von der Spitze zur Spindel in Koordinaten der Aufspannung, durchweg gehalten; 0, 0, 1 ist senkrecht. Mit einer anderen wird die Operation so geplant, wie sie entlang dieser aussieht, X und Y auf dem kürzesten Weg mitgedreht, und bleibt über dem Boden des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Direction in which the trajectories are looked at to tell forward from backward motion.</source>
+        <translation>Richtung, in der die Spuren betrachtet werden, um Vor- von Rückwärtsbewegung zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Direction of travel of the main path: auto follows the assumed path along x and y and takes the one with less estimated time of main path and rework; a number is an angle from X.</source>
+        <translation>Fahrtrichtung des Hauptwegs: auto folgt dem angenommenen Weg entlang x und y und nimmt den mit der kürzeren geschätzten Zeit von Hauptweg und Nacharbeit; eine Zahl ist ein Winkel von X.</translation>
+    </message>
+    <message>
+        <source>Direction of travel of the rework path: auto is that of the main path; a number is an angle from X.</source>
+        <translation>Fahrtrichtung des Nacharbeitswegs: auto ist die des Hauptwegs; eine Zahl ist ein Winkel von X.</translation>
+    </message>
+    <message>
+        <source>Direction of travel: auto picks x or y by the change of normals, 3-axis finishing the other one where that travels or leaves less; a number is an angle from X.</source>
+        <translation>Fahrtrichtung: auto wählt x oder y nach der Änderung der Normalen, 3-achsiges Schlichten die andere, wo das weniger fährt oder lässt; eine Zahl ist ein Winkel von X.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring drive planes: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
+        <translation>Abstand benachbarter Führungsebenen: adaptiv ist überall der größte, den die Toleranz erlaubt; eine Länge wird eingehalten, welche Rillen sie auch lässt.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring drive planes: adaptive is everywhere the largest that the tolerance allows; a length is kept.</source>
+        <translation>Abstand benachbarter Führungsebenen: adaptiv ist überall der größte, den die Toleranz erlaubt; eine Länge wird eingehalten.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring layers; from_tolerance is everywhere the largest that leaves no more than the tolerance above the allowance, at most the diameter, and puts lines closer where a floor stays.</source>
+        <translation>Abstand benachbarter Ebenen; aus der Toleranz ist überall der größte, der nicht mehr als die Toleranz über dem Aufmaß lässt, höchstens der Durchmesser, und legt Linien dichter, wo ein Boden bleibt.</translation>
+    </message>
+    <message>
+        <source>Distance that shank and holder keep from the part.</source>
+        <translation>Abstand, den Schaft und Halter vom Teil halten.</translation>
+    </message>
+    <message>
+        <source>Dovetail</source>
+        <translation>Schwalbenschwanz</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Drill point</source>
+        <translation>Bohrspitze</translation>
+    </message>
+    <message>
+        <source>Elapsed time</source>
+        <translation>Verstrichene Zeit</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>Even steps of the turning angle; more points are put in where the part asks for them. auto takes as few as the chord tolerance allows. Of lengthwise lines: lines per turn.</source>
+        <translation>Gleiche Schritte des Drehwinkels; wo das Teil es verlangt, kommen Punkte hinzu. auto nimmt so wenige, wie die Sehnentoleranz erlaubt. Bei Längslinien: Linien je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>Evens out a picture's relief, across six pixels or so; no height moves by more than this. A 500th of the relief height takes the steps of 256 greys away. 0: none.</source>
+        <translation>Ebnet das Relief eines Bildes über etwa sechs Pixel; keine Höhe ändert sich um mehr als das. Ein 500stel der Reliefhöhe nimmt die Stufen von 256 Grauwerten weg. 0: keine.</translation>
+    </message>
+    <message>
+        <source>Extruded pattern</source>
+        <translation>Erhabenes Muster</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Facet edges</source>
+        <translation>Facettenkanten</translation>
+    </message>
+    <message>
+        <source>Facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>Fanuc, TCP with rotary axes (G43.4)</source>
+        <translation>Fanuc, TCP mit Drehachsen (G43.4)</translation>
+    </message>
+    <message>
+        <source>Fanuc, TCP with tool vectors (G43.5)</source>
+        <translation>Fanuc, TCP mit Werkzeugvektoren (G43.5)</translation>
+    </message>
+    <message>
+        <source>Feature angle</source>
+        <translation>Merkmalwinkel</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds</source>
+        <translation>Vorschübe und Drehzahlen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Filling holes</source>
+        <translation>Löcher werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Finding rework regions</source>
+        <translation>Nacharbeitsbereiche werden gesucht</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Finish, 3-axis</source>
+        <translation>Schlichten, 3-achsig</translation>
+    </message>
+    <message>
+        <source>Finish, 5-axis</source>
+        <translation>Schlichten, 5-achsig</translation>
+    </message>
+    <message>
+        <source>Finish, turning part</source>
+        <translation>Schlichten, drehendes Teil</translation>
+    </message>
+    <message>
+        <source>Finishing allowance</source>
+        <translation>Schlichtaufmaß</translation>
+    </message>
+    <message>
+        <source>Finishing with five axes</source>
+        <translation>Schlichten mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>First point of an axis through two points.</source>
+        <translation>Erster Punkt einer Achse durch zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Flat end</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Flute length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Following the assumed path</source>
+        <translation>Dem angenommenen Weg wird gefolgt</translation>
+    </message>
+    <message>
+        <source>Following the part</source>
+        <translation>Dem Teil wird gefolgt</translation>
+    </message>
+    <message>
+        <source>Following valleys</source>
+        <translation>Kehlen werden verfolgt</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Free volume</source>
+        <translation>Freier Raum</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>From a radial line through the tip up to the bottom: 0 for a flat bottom; a cone of half angle w has 90° less w.</source>
+        <translation>Von einer radialen Linie durch die Spitze zur Stirn: 0 für eine flache Stirn; ein Kegel vom halben Winkel w hat 90° weniger w.</translation>
+    </message>
+    <message>
+        <source>From and to: 0 is level, 90 an upright wall, more an underside.</source>
+        <translation>Von und bis: 0 ist waagrecht, 90 eine senkrechte Wand, mehr eine Unterseite.</translation>
+    </message>
+    <message>
+        <source>From the axis to the side: positive when the tool widens upward, negative for a dovetail.</source>
+        <translation>Von der Achse zur Seite: positiv, wenn das Werkzeug nach oben breiter wird, negativ bei einem Schwalbenschwanz.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>GOTO {1} of '{2}'</source>
+        <translation>GOTO {1} von '{2}'</translation>
+    </message>
+    <message>
+        <source>Generic mill (3-axis)</source>
+        <translation>Allgemeine Fräsmaschine (3-achsig)</translation>
+    </message>
+    <message>
+        <source>Generic mill with rotary table A (4-axis)</source>
+        <translation>Allgemeine Fräsmaschine mit Drehtisch A (4-achsig)</translation>
+    </message>
+    <message>
+        <source>Generic tilting head B, rotary table C (5-axis, head-table)</source>
+        <translation>Allgemeiner Schwenkkopf B, Drehtisch C (5-achsig, Kopf-Tisch)</translation>
+    </message>
+    <message>
+        <source>Generic trunnion A/C (5-axis, table-table)</source>
+        <translation>Allgemeine Schwenkwiege A/C (5-achsig, Tisch-Tisch)</translation>
+    </message>
+    <message>
+        <source>Generic trunnion B/C (5-axis, table-table)</source>
+        <translation>Allgemeine Schwenkwiege B/C (5-achsig, Tisch-Tisch)</translation>
+    </message>
+    <message>
+        <source>Global-local CM²</source>
+        <translation>Global-lokal CM²</translation>
+    </message>
+    <message>
+        <source>Gouge limit</source>
+        <translation>Grenze der Verletzung</translation>
+    </message>
+    <message>
+        <source>Grbl 1.1</source>
+        <translation>Grbl 1.1</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Haas, TCPC (G234)</source>
+        <translation>Haas, TCPC (G234)</translation>
+    </message>
+    <message>
+        <source>Heidenhain, TCPM with rotary axes (M128)</source>
+        <translation>Heidenhain, TCPM mit Drehachsen (M128)</translation>
+    </message>
+    <message>
+        <source>Heidenhain, TCPM with tool vectors (LN)</source>
+        <translation>Heidenhain, TCPM mit Werkzeugvektoren (LN)</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of rapid moves above the highest of part and stock.</source>
+        <translation>Höhe der Eilgänge über dem Höchsten von Teil und Rohteil.</translation>
+    </message>
+    <message>
+        <source>Height of the cutting part above the tip.</source>
+        <translation>Höhe des schneidenden Teils über der Spitze.</translation>
+    </message>
+    <message>
+        <source>Highest lift that clears the strip</source>
+        <translation>Größter Abhub, der den Streifen abträgt</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>Holder clearance</source>
+        <translation>Halterabstand</translation>
+    </message>
+    <message>
+        <source>Hole, left open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole, to be filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Mulde</translation>
+    </message>
+    <message>
+        <source>How deep surface may come to lie inside a cutter before it counts as a gouge; `auto`: twice the chord tolerance that the paths keep.</source>
+        <translation>Wie tief Fläche in einem Fräser liegen darf, bevor es als Verletzung gilt; auto: das Doppelte der Sehnentoleranz, die die Wege halten.</translation>
+    </message>
+    <message>
+        <source>How far beside the centre line the cutter runs, so that a ball does not cut with its tip.</source>
+        <translation>Wie weit der Fräser neben der Mittellinie läuft, damit eine Kugel nicht mit der Spitze schneidet.</translation>
+    </message>
+    <message>
+        <source>How far cutter, shank and holder keep from these facets.</source>
+        <translation>Wie weit Fräser, Schaft und Halter von diesen Facetten bleiben.</translation>
+    </message>
+    <message>
+        <source>How far facets may lie from the surfaces of a STEP or IGES file. auto is a tenth of the finest tolerance of the operations; painted facets stay what they are where a length is given.</source>
+        <translation>Wie weit Facetten von den Flächen einer STEP- oder IGES-Datei liegen dürfen. auto ist ein Zehntel der feinsten Toleranz der Operationen; gemalte Facetten bleiben, was sie sind, wo eine Länge angegeben ist.</translation>
+    </message>
+    <message>
+        <source>How far its boundary lies outside the offset; inside below 0, but never inside of what is uncut.</source>
+        <translation>Wie weit die Begrenzung außerhalb des Versatzes liegt; innerhalb unter 0, aber nie in dem, was stehen bleibt.</translation>
+    </message>
+    <message>
+        <source>How far motions may run beside the exact path</source>
+        <translation>Wie weit Bewegungen neben dem genauen Weg verlaufen dürfen</translation>
+    </message>
+    <message>
+        <source>How far motions may run beside the exact path, to either side</source>
+        <translation>Wie weit Bewegungen neben dem genauen Weg verlaufen dürfen, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>How far passes go on over what the previous tool has cut; auto is half the tool's radius.</source>
+        <translation>Wie weit Bahnen über das hinausgehen, was das vorherige Werkzeug gefräst hat; auto ist der halbe Werkzeugradius.</translation>
+    </message>
+    <message>
+        <source>How far rework goes beyond the uncut places, so that the two paths overlap.</source>
+        <translation>Wie weit die Nacharbeit über die stehen gebliebenen Stellen hinausgeht, damit sich die Wege überlappen.</translation>
+    </message>
+    <message>
+        <source>How far straight moves may run beside the exact path, to either side</source>
+        <translation>Wie weit gerade Bewegungen neben dem genauen Weg verlaufen dürfen, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>How far the cutter leans along the axis, away from square to it.</source>
+        <translation>Wie weit sich der Fräser entlang der Achse neigt, weg vom rechten Winkel dazu.</translation>
+    </message>
+    <message>
+        <source>How far the cutter may go below the bottom of the stock, where something holds it. With 0 steep surface near the bottom keeps what only a lower tip would cut.</source>
+        <translation>Wie weit der Fräser unter den Boden des Rohteils gehen darf, wo es etwas hält. Mit 0 behält steile Fläche nahe am Boden, was nur eine tiefere Spitze fräsen würde.</translation>
+    </message>
+    <message>
+        <source>How far the inclination is turned about the surface normal, to the left of the travel; to the right below 0.</source>
+        <translation>Wie weit die Neigung um die Flächennormale gedreht ist, nach links der Fahrt; nach rechts unter 0.</translation>
+    </message>
+    <message>
+        <source>How far the inclination may turn about the surface normal, to the right (below 0) and to the left of the travel.</source>
+        <translation>Wie weit sich die Neigung um die Flächennormale drehen darf, nach rechts (unter 0) und nach links der Fahrt.</translation>
+    </message>
+    <message>
+        <source>How far the true surface may lie outside and inside the mesh. 0 takes the mesh as the part; of STEP and IGES files what was measured counts, where that is more.</source>
+        <translation>Wie weit die wahre Fläche außerhalb und innerhalb des Netzes liegen darf. 0 nimmt das Netz als das Teil; bei STEP- und IGES-Dateien zählt das Gemessene, wo es mehr ist.</translation>
+    </message>
+    <message>
+        <source>How far white lies above black, which is Z 0; of floating point numbers the highest above the lowest. `auto`: 5 mm, with a warning.</source>
+        <translation>Wie weit Weiß über Schwarz liegt, das Z 0 ist; bei Fließkommazahlen die höchste über der niedrigsten. auto: 5 mm, mit Warnung.</translation>
+    </message>
+    <message>
+        <source>How long a picture is along Y, from its lowest row to its highest. `auto`: as its pixels are, square.</source>
+        <translation>Wie lang ein Bild entlang Y ist, von der untersten bis zur obersten Zeile. auto: wie seine Pixel, quadratisch.</translation>
+    </message>
+    <message>
+        <source>How many facets the part had when they were painted. Where it has another number now, they are no longer known.</source>
+        <translation>Wie viele Facetten das Teil beim Malen hatte. Hat es jetzt eine andere Zahl, sind sie nicht mehr bekannt.</translation>
+    </message>
+    <message>
+        <source>How much deeper each pass goes than the one before, from the stock's outside towards the axis.</source>
+        <translation>Um wie viel jede Bahn tiefer geht als die vorherige, von der Außenseite des Rohteils zur Achse.</translation>
+    </message>
+    <message>
+        <source>How much the normals of facets side by side may differ on a surface of a STEP or IGES file.</source>
+        <translation>Wie stark sich die Normalen benachbarter Facetten auf einer Fläche einer STEP- oder IGES-Datei unterscheiden dürfen.</translation>
+    </message>
+    <message>
+        <source>How the allowance is kept: contact is exact; vertices moves every vertex along its normal, cruder, and says what it cuts beyond.</source>
+        <translation>Wie das Aufmaß eingehalten wird: am Berührpunkt ist genau; durch verschobene Eckpunkte verschiebt jeden Eckpunkt entlang seiner Normalen, gröber, und sagt, was darüber hinaus gefräst wird.</translation>
+    </message>
+    <message>
+        <source>How the tool comes into material where it cannot come from outside: auto takes a ramp along the first cut, or a helix where that is too short; plunge goes straight down.</source>
+        <translation>Wie das Werkzeug ins Material kommt, wo es von außen nicht kann: auto nimmt eine Rampe entlang des ersten Schnitts, oder eine Wendel, wo der zu kurz ist; senkrecht geht gerade hinab.</translation>
+    </message>
+    <message>
+        <source>How the tool is moved out of what it would cut: along a vector fitted to the strip, or along Z.</source>
+        <translation>Wie das Werkzeug aus dem herausbewegt wird, was es verletzen würde: entlang eines an den Streifen angepassten Vektors oder entlang Z.</translation>
+    </message>
+    <message>
+        <source>How the tool is run, by material. Operations take it over when they take the tool.</source>
+        <translation>Wie das Werkzeug läuft, nach Werkstoff. Operationen übernehmen es mit dem Werkzeug.</translation>
+    </message>
+    <message>
+        <source>How tool axes are chosen: cm2 matches curvatures, local stays closest to one axis point by point, global takes the path that needs least machining time.</source>
+        <translation>Wie Werkzeugachsen gewählt werden: krümmungsgleich (CM²) gleicht Krümmungen an, lokal bleibt Punkt für Punkt einer Achse am nächsten, global nimmt den Weg mit der kürzesten Bearbeitungszeit.</translation>
+    </message>
+    <message>
+        <source>How wide a picture (PNG, TIFF) is as a part, along X from its first column to its last. `auto`: 100 mm, with a warning.</source>
+        <translation>Wie breit ein Bild (PNG, TIFF) als Teil ist, entlang X von der ersten bis zur letzten Spalte. auto: 100 mm, mit Warnung.</translation>
+    </message>
+    <message>
+        <source>Inclination of the tool axis from the surface normal towards the travel. The lead limits do not hold it.</source>
+        <translation>Neigung der Werkzeugachse von der Flächennormalen zur Fahrtrichtung. Die Grenzen des Anstellwinkels gelten nicht dafür.</translation>
+    </message>
+    <message>
+        <source>Indexing the part</source>
+        <translation>Das Teil wird erfasst</translation>
+    </message>
+    <message>
+        <source>Into the material; 0: half the feed.</source>
+        <translation>Ins Material; 0: der halbe Vorschub.</translation>
+    </message>
+    <message>
+        <source>Invalid</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.</source>
+        <translation>Jasras gedrehter Zylinder: Ø40 mm, 25 mm lang, um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>Jasra's turned prism: side 50 mm, 40 mm long, about the X axis.</source>
+        <translation>Jasras gedrehtes Prisma: Seite 50 mm, 40 mm lang, um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>Joining scans</source>
+        <translation>Scans werden verbunden</translation>
+    </message>
+    <message>
+        <source>Joint rate</source>
+        <translation>Achsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Kept off</source>
+        <translation>Gemieden</translation>
+    </message>
+    <message>
+        <source>Kept postures</source>
+        <translation>Festgehaltene Stellungen</translation>
+    </message>
+    <message>
+        <source>Kept within</source>
+        <translation>Darin bleibt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Kind of motion</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>Largest distance between neighbouring lines of a layer, at most the diameter; auto is 0.95 of the diameter.</source>
+        <translation>Größter Abstand benachbarter Linien einer Ebene, höchstens der Durchmesser; auto ist 0,95 des Durchmessers.</translation>
+    </message>
+    <message>
+        <source>Largest excess</source>
+        <translation>Größter Überstand</translation>
+    </message>
+    <message>
+        <source>Largest inclination of the assumed previous path, which tells how much lead every place needs; and of the rework path by cm2.</source>
+        <translation>Größte Neigung des angenommenen vorherigen Wegs, der sagt, wie viel Anstellwinkel jede Stelle braucht; bei cm2 auch des Nacharbeitswegs.</translation>
+    </message>
+    <message>
+        <source>Largest inclination of the main path's tool axis, alpha_M, where it is not raised. Smaller: wider strips and more to rework.</source>
+        <translation>Größte Neigung der Werkzeugachse des Hauptwegs, alpha_M, wo sie nicht erhöht wird. Kleiner: breitere Streifen und mehr nachzuarbeiten.</translation>
+    </message>
+    <message>
+        <source>Largest inclination of the tool axis, used where shank or holder would touch the part. 0 keeps the tool upright; above 0 the program is one of five axes.</source>
+        <translation>Größte Neigung der Werkzeugachse, verwendet, wo Schaft oder Halter das Teil berühren würden. 0 hält das Werkzeug senkrecht; über 0 ist das Programm eines mit fünf Achsen.</translation>
+    </message>
+    <message>
+        <source>Largest inclination on a part that is cut side by side, for pieces with places that no inclination within the lead limits reaches: undersides, faces of blades behind others. No larger than the upper lead limit: these are left, and said.</source>
+        <translation>Größte Neigung auf einem Teil, das Seite für Seite gefräst wird, für Stücke mit Stellen, die keine Neigung innerhalb der Grenzen erreicht: Unterseiten, Schaufeln hinter anderen. Nicht größer als die obere Grenze: diese bleiben stehen und werden gesagt.</translation>
+    </message>
+    <message>
+        <source>Largest turn of the surface normal between neighbouring points of a pass{1}.</source>
+        <translation>Größte Drehung der Flächennormalen zwischen benachbarten Punkten einer Bahn{1}.</translation>
+    </message>
+    <message>
+        <source>Largest turn of the tool axis between neighbouring points of a pass.</source>
+        <translation>Größte Drehung der Werkzeugachse zwischen benachbarten Punkten einer Bahn.</translation>
+    </message>
+    <message>
+        <source>Lathe-mill, part turns about X (4-axis)</source>
+        <translation>Dreh-Fräsmaschine, Teil dreht um X (4-achsig)</translation>
+    </message>
+    <message>
+        <source>Layer chosen</source>
+        <translation>Gewählte Ebene</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Anstellwinkel</translation>
+    </message>
+    <message>
+        <source>Lead limit</source>
+        <translation>Grenze des Anstellwinkels</translation>
+    </message>
+    <message>
+        <source>Lead limits</source>
+        <translation>Grenzen des Anstellwinkels</translation>
+    </message>
+    <message>
+        <source>Lead to reach</source>
+        <translation>Anstellwinkel zum Erreichen</translation>
+    </message>
+    <message>
+        <source>Lead, deg</source>
+        <translation>Anstellwinkel, °</translation>
+    </message>
+    <message>
+        <source>Leaves too much</source>
+        <translation>Lässt zu viel stehen</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Left by</source>
+        <translation>Gelassen von</translation>
+    </message>
+    <message>
+        <source>Left to clean-up</source>
+        <translation>Der Restbearbeitung überlassen</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of the section along the axis.</source>
+        <translation>Länge des Abschnitts entlang der Achse.</translation>
+    </message>
+    <message>
+        <source>Length that the chuck holds, from the stock's low end, and its diameter: no part of the tool comes nearer than the clearance. Length 0: none.</source>
+        <translation>Länge, die das Futter hält, vom unteren Ende des Rohteils, und sein Durchmesser: kein Teil des Werkzeugs kommt näher als der Sicherheitsabstand. Länge 0: keines.</translation>
+    </message>
+    <message>
+        <source>Lies on the table</source>
+        <translation>Liegt auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Abhub</translation>
+    </message>
+    <message>
+        <source>Lines that the format does not know were ignored.</source>
+        <translation>Zeilen, die das Format nicht kennt, wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Link feed</source>
+        <translation>Verbindungsvorschub</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
+    <message>
+        <source>LinuxCNC, TCP by switched kinematics</source>
+        <translation>LinuxCNC, TCP durch umgeschaltete Kinematik</translation>
+    </message>
+    <message>
+        <source>Lollipop</source>
+        <translation>Kugelfräser mit Hals</translation>
+    </message>
+    <message>
+        <source>Longer than the tool's flutes, which are {1}</source>
+        <translation>Länger als die Schneiden des Werkzeugs, die {1} lang sind</translation>
+    </message>
+    <message>
+        <source>Looking at the part</source>
+        <translation>Das Teil wird untersucht</translation>
+    </message>
+    <message>
+        <source>Looking at the stock</source>
+        <translation>Das Rohteil wird untersucht</translation>
+    </message>
+    <message>
+        <source>Looking at what both paths clear</source>
+        <translation>Gesucht wird, was beide Wege abtragen</translation>
+    </message>
+    <message>
+        <source>Looking at what the main path clears</source>
+        <translation>Gesucht wird, was der Hauptweg abträgt</translation>
+    </message>
+    <message>
+        <source>Looking for crossings</source>
+        <translation>Überschneidungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for faces to lie on</source>
+        <translation>Flächen zum Auflegen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for holes</source>
+        <translation>Löcher werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for loose pieces</source>
+        <translation>Lose Stücke werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for pieces</source>
+        <translation>Stücke werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for sharp changes of normals</source>
+        <translation>Scharfe Änderungen der Normalen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for sides</source>
+        <translation>Seiten werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for what stays</source>
+        <translation>Gesucht wird, was bleibt</translation>
+    </message>
+    <message>
+        <source>Looking for what stays uncut</source>
+        <translation>Gesucht wird, was stehen bleibt</translation>
+    </message>
+    <message>
+        <source>Looking where the previous cutter left something</source>
+        <translation>Gesucht wird, wo der vorherige Fräser etwas ließ</translation>
+    </message>
+    <message>
+        <source>Lowest free lift, stopped by:</source>
+        <translation>Kleinster freier Abhub, begrenzt durch:</translation>
+    </message>
+    <message>
+        <source>Lu's first benchmark: a ruled valley, 10 × 10 in.</source>
+        <translation>Lus erste Prüffläche: ein geregeltes Tal, 10 × 10 in.</translation>
+    </message>
+    <message>
+        <source>Lu's second benchmark: a ruled ridge, 10 × 10 in.</source>
+        <translation>Lus zweite Prüffläche: ein geregelter Grat, 10 × 10 in.</translation>
+    </message>
+    <message>
+        <source>Lu's third benchmark: convex, concave and saddle regions, 9 × 11 in.</source>
+        <translation>Lus dritte Prüffläche: gewölbt, hohl und Sattel, 9 × 11 in.</translation>
+    </message>
+    <message>
+        <source>Mach3 and Mach4</source>
+        <translation>Mach3 und Mach4</translation>
+    </message>
+    <message>
+        <source>Machining direction</source>
+        <translation>Bearbeitungsrichtung</translation>
+    </message>
+    <message>
+        <source>Machining tolerance: the largest cusp that may be left. Gouges are not allowed at all.</source>
+        <translation>Bearbeitungstoleranz: die größte Rille, die bleiben darf. Verletzungen sind überhaupt nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>Makes the {1} so many times as large as its file and unit say, about the file's origin; 1 leaves it. Unit, scale, mirror, rotate and translate are applied in this order.</source>
+        <translation>Macht das Objekt ({1}) so viele Male so groß, wie Datei und Einheit sagen, um den Ursprung der Datei; 1 lässt es. Einheit, Skalierung, Spiegelung, Drehung und Verschiebung folgen in dieser Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>Marlin</source>
+        <translation>Marlin</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Measuring the part</source>
+        <translation>Das Teil wird vermessen</translation>
+    </message>
+    <message>
+        <source>Measuring what is left</source>
+        <translation>Gemessen wird, was stehen blieb</translation>
+    </message>
+    <message>
+        <source>Measuring what stays</source>
+        <translation>Gemessen wird, was bleibt</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>More than</source>
+        <translation>Mehr als</translation>
+    </message>
+    <message>
+        <source>More than the tool's radius, which is {1}</source>
+        <translation>Mehr als der Werkzeugradius, der {1} ist</translation>
+    </message>
+    <message>
+        <source>Mould cavity</source>
+        <translation>Formnest</translation>
+    </message>
+    <message>
+        <source>Moved ({1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves it after it was turned.</source>
+        <translation>Verschiebt es nach dem Drehen.</translation>
+    </message>
+    <message>
+        <source>Moves the border outward by so much, inward below 0.</source>
+        <translation>Verschiebt den Rand um so viel nach außen, unter 0 nach innen.</translation>
+    </message>
+    <message>
+        <source>Moves the part after it was turned.</source>
+        <translation>Verschiebt das Teil nach dem Drehen.</translation>
+    </message>
+    <message>
+        <source>Moves the stock's mesh after it was turned.</source>
+        <translation>Verschiebt das Netz des Rohteils nach dem Drehen.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of a boundary of the setup: the operation cuts within it. Empty: everywhere.</source>
+        <translation>Name einer Begrenzung der Aufspannung: die Operation fräst darin. Leer: überall.</translation>
+    </message>
+    <message>
+        <source>Name of a boundary whose facets the tool keeps off. Empty: none.</source>
+        <translation>Name einer Begrenzung, deren Facetten das Werkzeug meidet. Leer: keine.</translation>
+    </message>
+    <message>
+        <source>Name of the operation; also names its output file.</source>
+        <translation>Name der Operation; benennt auch ihre Ausgabedatei.</translation>
+    </message>
+    <message>
+        <source>Names of strips that are found but not cut, separated by commas.</source>
+        <translation>Namen gefundener, aber nicht gefräster Streifen, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Neighbouring facets run along their common edge in the same direction: some are turned over. None was turned back.</source>
+        <translation>Benachbarte Facetten laufen entlang ihrer gemeinsamen Kante in dieselbe Richtung: einige sind umgedreht. Keine wurde zurückgedreht.</translation>
+    </message>
+    <message>
+        <source>New surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No larger than the tool that is to come in after it: {1} and {2}</source>
+        <translation>Nicht größer als das Werkzeug, das danach hineinkommen soll: {1} und {2}</translation>
+    </message>
+    <message>
+        <source>No point</source>
+        <translation>Kein Punkt</translation>
+    </message>
+    <message>
+        <source>No posture is free here</source>
+        <translation>Hier ist keine Stellung frei</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Normal change limit</source>
+        <translation>Grenze der Normalenänderung</translation>
+    </message>
+    <message>
+        <source>Normal limit</source>
+        <translation>Normalengrenze</translation>
+    </message>
+    <message>
+        <source>Not moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to show</source>
+        <translation>Nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Number of the first program, for controls that want one; those after it count on.</source>
+        <translation>Nummer des ersten Programms, für Steuerungen, die eine wollen; die folgenden zählen weiter.</translation>
+    </message>
+    <message>
+        <source>Number of the tool in the tool list.</source>
+        <translation>Nummer des Werkzeugs in der Werkzeugliste.</translation>
+    </message>
+    <message>
+        <source>Number of the tool that cut the part before: clean-up looks for what it could not enter.</source>
+        <translation>Nummer des Werkzeugs, das das Teil vorher fräste: die Restbearbeitung sucht, wo es nicht hineinkam.</translation>
+    </message>
+    <message>
+        <source>Number of the tool that cuts the regions; 0: none, they are shown and left to other operations.</source>
+        <translation>Nummer des Werkzeugs, das die Bereiche fräst; 0: keines, sie werden gezeigt und anderen Operationen überlassen.</translation>
+    </message>
+    <message>
+        <source>Number of the tool. The region is what it leaves of the part where it has been everywhere: hollows narrower than it, inner edges.</source>
+        <translation>Nummer des Werkzeugs. Der Bereich ist, was es vom Teil lässt, wo es überall war: Mulden, schmaler als es, Innenkanten.</translation>
+    </message>
+    <message>
+        <source>Numbers have decimal commas; they were read as such.</source>
+        <translation>Zahlen haben Dezimalkommas; sie wurden so gelesen.</translation>
+    </message>
+    <message>
+        <source>Numbers of faces of the part's file, counted from 0: 0-3, 7. They are the same however finely the file is tessellated.</source>
+        <translation>Nummern von Flächen der Datei des Teils, von 0 gezählt: 0-3, 7. Sie bleiben, wie fein die Datei auch vernetzt wird.</translation>
+    </message>
+    <message>
+        <source>Numbers of the painted facets, counted from 0 in the part's file: 0-57, 60.</source>
+        <translation>Nummern der gemalten Facetten, von 0 gezählt in der Datei des Teils: 0-57, 60.</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Objects have slices beside their mesh, which may be a coarse stand-in for them; the mesh was read.</source>
+        <translation>Objekte haben neben ihrem Netz Schichten, für die es ein grober Ersatz sein kann; gelesen wurde das Netz.</translation>
+    </message>
+    <message>
+        <source>Objects of the file that are no part of the model (supports, modifiers) were left out.</source>
+        <translation>Objekte der Datei, die nicht zum Modell gehören (Stützen, Modifikatoren), wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Of a tab as it is seen along its length. A triangular one is cut in ramps and breaks off more easily.</source>
+        <translation>Eines Stegs, entlang seiner Länge gesehen. Ein dreieckiger wird in Rampen gefräst und bricht leichter ab.</translation>
+    </message>
+    <message>
+        <source>Of cuts; 0: from spindle, chip load and flutes.</source>
+        <translation>Beim Fräsen; 0: aus Drehzahl, Zahnvorschub und Schneiden.</translation>
+    </message>
+    <message>
+        <source>Of layers; 0 where nobody says.</source>
+        <translation>Von Ebenen; 0, wo niemand sie nennt.</translation>
+    </message>
+    <message>
+        <source>Of so many</source>
+        <translation>Von so vielen</translation>
+    </message>
+    <message>
+        <source>Of the box along X, Y and Z, before it is turned; of a tab its length from the part outward, its width and its height.</source>
+        <translation>Des Quaders entlang X, Y und Z, bevor er gedreht wird; eines Stegs seine Länge vom Teil nach außen, Breite und Höhe.</translation>
+    </message>
+    <message>
+        <source>Of the cylinder, along Z before it is turned.</source>
+        <translation>Des Zylinders, entlang Z, bevor er gedreht wird.</translation>
+    </message>
+    <message>
+        <source>Of the cylinder.</source>
+        <translation>Des Zylinders.</translation>
+    </message>
+    <message>
+        <source>Of the cylinder; `auto`: what holds the part and the margin.</source>
+        <translation>Des Zylinders; auto: was Teil und Zugabe enthält.</translation>
+    </message>
+    <message>
+        <source>Of the plain part between flutes and holder.</source>
+        <translation>Des glatten Teils zwischen Schneiden und Halter.</translation>
+    </message>
+    <message>
+        <source>Of the plain part that is out of the holder.</source>
+        <translation>Des glatten Teils, der aus dem Halter ragt.</translation>
+    </message>
+    <message>
+        <source>Of the work coordinates, from the place that `zero_from` says; from the part's origin a point of the part.</source>
+        <translation>Der Werkstückkoordinaten, von der Stelle aus, die `zero_from` nennt; vom Ursprung des Teils aus ein Punkt des Teils.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Off centre</source>
+        <translation>Außermittig</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot work with it: {1} {2}</source>
+        <translation>OpenCASCADE kommt damit nicht zurecht: {1} {2}</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>Operations name the boundary by it.</source>
+        <translation>Operationen nennen die Begrenzung so.</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>PLY ASCII</source>
+        <translation>PLY ASCII</translation>
+    </message>
+    <message>
+        <source>PLY binary</source>
+        <translation>PLY binär</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Part before</source>
+        <translation>Teil zuvor</translation>
+    </message>
+    <message>
+        <source>Parts of the picture are transparent: the more so, the nearer they lie to the ground.</source>
+        <translation>Teile des Bildes sind durchsichtig: je mehr, desto näher liegen sie am Grund.</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Picked point</source>
+        <translation>Gewählter Punkt</translation>
+    </message>
+    <message>
+        <source>Picture length</source>
+        <translation>Bildlänge</translation>
+    </message>
+    <message>
+        <source>Picture width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Pillar</source>
+        <translation>Säule</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Place in the magazine; operations name the tool by it.</source>
+        <translation>Platz im Magazin; Operationen nennen das Werkzeug so.</translation>
+    </message>
+    <message>
+        <source>Place on the part whose nearest contact point it is for.</source>
+        <translation>Stelle auf dem Teil, für deren nächsten Berührpunkt sie gilt.</translation>
+    </message>
+    <message>
+        <source>Placing drive planes</source>
+        <translation>Führungsebenen werden gelegt</translation>
+    </message>
+    <message>
+        <source>Planning passes</source>
+        <translation>Bahnen werden geplant</translation>
+    </message>
+    <message>
+        <source>Plunge feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Points of the regions' boundaries that were dragged over the surface.</source>
+        <translation>Punkte der Begrenzungen, die über die Fläche gezogen wurden.</translation>
+    </message>
+    <message>
+        <source>Points per turn</source>
+        <translation>Punkte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Polygons with more than three corners were cut into triangles.</source>
+        <translation>Vielecke mit mehr als drei Ecken wurden in Dreiecke zerlegt.</translation>
+    </message>
+    <message>
+        <source>Posting</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Posture</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Posture grid</source>
+        <translation>Stellungsraster</translation>
+    </message>
+    <message>
+        <source>Posture kept by hand</source>
+        <translation>Von Hand festgehaltene Stellung</translation>
+    </message>
+    <message>
+        <source>Postures chosen by hand for single contact points, in the configuration space of the point; used wherever they are free.</source>
+        <translation>Von Hand für einzelne Berührpunkte gewählte Stellungen, im Konfigurationsraum des Punktes; verwendet, wo sie frei sind.</translation>
+    </message>
+    <message>
+        <source>Preparing the view</source>
+        <translation>Die Ansicht wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Previous tool</source>
+        <translation>Vorheriges Werkzeug</translation>
+    </message>
+    <message>
+        <source>Program number</source>
+        <translation>Programmnummer</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands for three motions or more: every end of a motion within a quarter of the chord tolerance of the arc, and the arc within half of it of the motions. Where the tool leans, in tilted planes alone.</source>
+        <translation>Programme mit drei Achsen enthalten Bögen (`G2`, `G3`), wo die Steuerung sie kennt und einer für drei Bewegungen oder mehr steht: jedes Ende einer Bewegung innerhalb eines Viertels der Sehnentoleranz vom Bogen, und der Bogen innerhalb der Hälfte davon. Wo das Werkzeug geneigt ist, nur in geschwenkten Ebenen.</translation>
+    </message>
+    <message>
+        <source>Raise lead limit</source>
+        <translation>Grenze erhöhen</translation>
+    </message>
+    <message>
+        <source>Raised pads on a cylinder Ø40 mm, 54 mm long, about the X axis.</source>
+        <translation>Erhabene Felder auf einem Zylinder Ø40 mm, 54 mm lang, um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>Ramp angle</source>
+        <translation>Rampenwinkel</translation>
+    </message>
+    <message>
+        <source>Ramp feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Reading the part</source>
+        <translation>Das Teil wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the {1}</source>
+        <translation>Wird gelesen: {1}</translation>
+    </message>
+    <message>
+        <source>Reading {1}</source>
+        <translation>{1} wird gelesen</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Region edits</source>
+        <translation>Änderungen der Bereiche</translation>
+    </message>
+    <message>
+        <source>Relief height</source>
+        <translation>Reliefhöhe</translation>
+    </message>
+    <message>
+        <source>Removing fins</source>
+        <translation>Lappen werden entfernt</translation>
+    </message>
+    <message>
+        <source>Removing material{1}</source>
+        <translation>Material wird abgetragen{1}</translation>
+    </message>
+    <message>
+        <source>Removing needles</source>
+        <translation>Nadeln werden entfernt</translation>
+    </message>
+    <message>
+        <source>Removing small pieces</source>
+        <translation>Kleine Stücke werden entfernt</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparatur</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Rest material</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>Rest only</source>
+        <translation>Nur Restmaterial</translation>
+    </message>
+    <message>
+        <source>Retract</source>
+        <translation>Rückzug</translation>
+    </message>
+    <message>
+        <source>Rework and clean-up regions</source>
+        <translation>Nacharbeits- und Restbereiche</translation>
+    </message>
+    <message>
+        <source>Rework cutting</source>
+        <translation>Fräsen der Nacharbeit</translation>
+    </message>
+    <message>
+        <source>Rework offset</source>
+        <translation>Versatz der Nacharbeit</translation>
+    </message>
+    <message>
+        <source>Rework regions that were switched off, grown or shrunk by hand.</source>
+        <translation>Nacharbeitsbereiche, die von Hand ausgeschaltet, vergrößert oder verkleinert wurden.</translation>
+    </message>
+    <message>
+        <source>Rework tool</source>
+        <translation>Nacharbeitswerkzeug</translation>
+    </message>
+    <message>
+        <source>Ribs swept around a cylinder Ø40 mm, 54 mm long, about the X axis.</source>
+        <translation>Rippen um einen Zylinder Ø40 mm, 54 mm lang, um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Rough, turning part</source>
+        <translation>Schruppen, drehendes Teil</translation>
+    </message>
+    <message>
+        <source>STL ASCII</source>
+        <translation>STL ASCII</translation>
+    </message>
+    <message>
+        <source>STL binary</source>
+        <translation>STL binär</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Second point of an axis through two points.</source>
+        <translation>Zweiter Punkt einer Achse durch zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shank diameter</source>
+        <translation>Schaftdurchmesser</translation>
+    </message>
+    <message>
+        <source>Shank length</source>
+        <translation>Schaftlänge</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Shape of the raw material. `rest`: what the setup before left of its stock, as it was verified; not in the first setup.</source>
+        <translation>Form des Rohmaterials. Rest: was die vorherige Aufspannung von ihrem Rohteil ließ, wie es geprüft wurde; nicht in der ersten.</translation>
+    </message>
+    <message>
+        <source>Shape of what holds the part: a vice's jaw or a clamp is a box, a bolt or a chuck a cylinder. A tab is a piece of the stock that is left between part and rest.</source>
+        <translation>Form dessen, was das Teil hält: eine Backe oder Spannpratze ist ein Quader, ein Bolzen oder Futter ein Zylinder. Ein Steg ist ein Stück Rohteil, das zwischen Teil und Rest stehen bleibt.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Side feed</source>
+        <translation>Seitenvorschub</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Siemens, TRAORI with tool vectors</source>
+        <translation>Siemens, TRAORI mit Werkzeugvektoren</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Slope at which ramps and helices go down.</source>
+        <translation>Neigung, mit der Rampen und Wendeln hinabgehen.</translation>
+    </message>
+    <message>
+        <source>Smallest and largest inclination of the tool axis from the surface normal towards the travel.</source>
+        <translation>Kleinste und größte Neigung der Werkzeugachse von der Flächennormalen zur Fahrtrichtung.</translation>
+    </message>
+    <message>
+        <source>Smallest strip</source>
+        <translation>Kleinster Streifen</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Some edges have more than two facets; all facets were kept.</source>
+        <translation>Einige Kanten haben mehr als zwei Facetten; alle wurden behalten.</translation>
+    </message>
+    <message>
+        <source>Some edges have only one facet: the mesh is a sheet or has gaps. Nothing was healed; a cutter may enter a gap.</source>
+        <translation>Einige Kanten haben nur eine Facette: das Netz ist ein Blech oder hat Lücken. Nichts wurde geheilt; ein Fräser kann in eine Lücke geraten.</translation>
+    </message>
+    <message>
+        <source>Some facets have no area (equal or collinear corners); they were left out.</source>
+        <translation>Einige Facetten haben keine Fläche (gleiche oder kollineare Ecken); sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Some facets lie farther from their surface than the chord tolerance that was asked for; the deviation says how far.</source>
+        <translation>Einige Facetten liegen weiter von ihrer Fläche als die verlangte Sehnentoleranz; die Abweichung sagt, wie weit.</translation>
+    </message>
+    <message>
+        <source>Some facets occur more than once, in this or the other winding; all were kept.</source>
+        <translation>Einige Facetten kommen mehrmals vor, in diesem oder jenem Umlauf; alle wurden behalten.</translation>
+    </message>
+    <message>
+        <source>Some polygons cross themselves; they were cut into triangles that overlap.</source>
+        <translation>Einige Vielecke überkreuzen sich; sie wurden in überlappende Dreiecke zerlegt.</translation>
+    </message>
+    <message>
+        <source>Some stored normals are missing or not numbers; normals are computed from the corners, so nothing is lost.</source>
+        <translation>Einige gespeicherte Normalen fehlen oder sind keine Zahlen; Normalen werden aus den Ecken berechnet, nichts geht verloren.</translation>
+    </message>
+    <message>
+        <source>Some stored normals point against the winding of their facets; the winding counts.</source>
+        <translation>Einige gespeicherte Normalen zeigen gegen den Umlauf ihrer Facetten; der Umlauf zählt.</translation>
+    </message>
+    <message>
+        <source>Some surfaces of the file could not be tessellated: the mesh has gaps.</source>
+        <translation>Einige Flächen der Datei konnten nicht vernetzt werden: das Netz hat Lücken.</translation>
+    </message>
+    <message>
+        <source>Special</source>
+        <translation>Sonderform</translation>
+    </message>
+    <message>
+        <source>Speed of cutting motion.</source>
+        <translation>Geschwindigkeit beim Fräsen.</translation>
+    </message>
+    <message>
+        <source>Speed of motion between passes that is no rapid: over the surface and away from it. auto is the feed.</source>
+        <translation>Geschwindigkeit zwischen Bahnen, wo kein Eilgang ist: über der Fläche und von ihr weg. auto ist der Vorschub.</translation>
+    </message>
+    <message>
+        <source>Speed of motion into the material: down to a pass, along ramps and helices. auto is half the feed.</source>
+        <translation>Geschwindigkeit ins Material: hinab zu einer Bahn, entlang Rampen und Wendeln. auto ist der halbe Vorschub.</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Spindle speed.</source>
+        <translation>Spindeldrehzahl.</translation>
+    </message>
+    <message>
+        <source>Square prism</source>
+        <translation>Quadratisches Prisma</translation>
+    </message>
+    <message>
+        <source>Stands in the report, the verdict and the setup sheet.</source>
+        <translation>Steht im Bericht, im Prüfergebnis und im Einrichteblatt.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Step of inclination and yaw in the configuration space.</source>
+        <translation>Schritt von Neigung und Taumelwinkel im Konfigurationsraum.</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Steps that make the file's mesh worth machining, in their order, carried out again whenever the file has changed.</source>
+        <translation>Schritte, die das Netz der Datei bearbeitbar machen, in ihrer Reihenfolge, erneut ausgeführt, wenn sich die Datei ändert.</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Stock left on the part for a later operation. 0 cuts to size.</source>
+        <translation>Material, das für eine spätere Operation auf dem Teil bleibt. 0 fräst auf Maß.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Strips also around contact points that operations before left to clean-up, as those without a free posture.</source>
+        <translation>Streifen auch um Berührpunkte, die vorherige Operationen der Restbearbeitung ließen, etwa ohne freie Stellung.</translation>
+    </message>
+    <message>
+        <source>Strips also where more than the tolerance stands after the operations before: their programs are verified first.</source>
+        <translation>Streifen auch, wo nach den Operationen davor mehr als die Toleranz steht: deren Programme werden zuerst geprüft.</translation>
+    </message>
+    <message>
+        <source>Surface with a gap</source>
+        <translation>Fläche mit Spalt</translation>
+    </message>
+    <message>
+        <source>Surfaces of the file belong to no solid; they were taken as sheets.</source>
+        <translation>Flächen der Datei gehören zu keinem Körper; sie gelten als Bleche.</translation>
+    </message>
+    <message>
+        <source>Surfaces that lie edge to edge within the chord tolerance were joined: the file does not say that they hang together.</source>
+        <translation>Flächen, die innerhalb der Sehnentoleranz Kante an Kante liegen, wurden verbunden: die Datei sagt nicht, dass sie zusammenhängen.</translation>
+    </message>
+    <message>
+        <source>Swept pattern</source>
+        <translation>Gewundenes Muster</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Switched off: the operation is left out of plan, verification and programs, as if it were not there.</source>
+        <translation>Ausgeschaltet: die Operation fehlt in Plan, Prüfung und Programmen, als gäbe es sie nicht.</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>Stege</translation>
+    </message>
+    <message>
+        <source>Tailstock</source>
+        <translation>Reitstock</translation>
+    </message>
+    <message>
+        <source>Taken away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the other side of open surfaces as their outside. By itself that is the upper side of a sheet, and the side that is seen of what nearly closes; of closed bodies it is always the outside.</source>
+        <translation>Nimmt die andere Seite offener Flächen als außen. Von selbst ist das die Oberseite eines Blechs, und bei fast Geschlossenem die sichtbare Seite; bei geschlossenen Körpern immer außen.</translation>
+    </message>
+    <message>
+        <source>Taper angle</source>
+        <translation>Flankenwinkel</translation>
+    </message>
+    <message>
+        <source>Tapered ball</source>
+        <translation>Konisch mit Kugel</translation>
+    </message>
+    <message>
+        <source>Tapered bull nose</source>
+        <translation>Konischer Torus</translation>
+    </message>
+    <message>
+        <source>Tapered cone-bottom bull nose</source>
+        <translation>Konischer Torus mit Kegelstirn</translation>
+    </message>
+    <message>
+        <source>Tapered drill point</source>
+        <translation>Konische Bohrspitze</translation>
+    </message>
+    <message>
+        <source>Tapered flat</source>
+        <translation>Konisch flach</translation>
+    </message>
+    <message>
+        <source>Tarus TPI 2000 (5-axis, head-head)</source>
+        <translation>Tarus TPI 2000 (5-achsig, Kopf-Kopf)</translation>
+    </message>
+    <message>
+        <source>Tessellating</source>
+        <translation>Wird vernetzt</translation>
+    </message>
+    <message>
+        <source>Tessellation tolerance</source>
+        <translation>Toleranz der Vernetzung</translation>
+    </message>
+    <message>
+        <source>That is the whole part: nowhere is what the programs leave held against the tolerance, only gouges are judged.</source>
+        <translation>Das ist das ganze Teil: nirgends wird an der Toleranz gemessen, was die Programme lassen, nur Verletzungen werden beurteilt.</translation>
+    </message>
+    <message>
+        <source>The OBJ file has curves or surfaces beside its facets; they were ignored.</source>
+        <translation>Die OBJ-Datei hat neben Facetten Kurven oder Flächen; sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The attribute words of the binary STL file are not zero (colours of some writers); they were ignored.</source>
+        <translation>Die Attributwörter der binären STL-Datei sind nicht null (Farben mancher Programme); sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The binary STL file has its bytes in reverse order; it was read accordingly.</source>
+        <translation>Die binäre STL-Datei hat ihre Bytes in umgekehrter Reihenfolge; sie wurde entsprechend gelesen.</translation>
+    </message>
+    <message>
+        <source>The binary STL file starts with the word 'solid' like a text; it was read as binary.</source>
+        <translation>Die binäre STL-Datei beginnt wie ein Text mit 'solid'; sie wurde binär gelesen.</translation>
+    </message>
+    <message>
+        <source>The control that programs are written for, see below, or a file of your own (`resources/posts/README.md`); its name ends with `.json`, a relative one starts at the project file. Without it programs are APT alone.</source>
+        <translation>Die Steuerung, für die Programme geschrieben werden, oder eine eigene Datei (`resources/posts/README.md`); ihr Name endet auf `.json`, ein relativer beginnt bei der Projektdatei. Ohne sie sind Programme nur APT.</translation>
+    </message>
+    <message>
+        <source>The control's work coordinate system that programs are told in: `G54`, or the number of a preset. Default: the control's first, or what is active in it.</source>
+        <translation>Das Werkstückkoordinatensystem der Steuerung, in dem Programme stehen: `G54`, oder die Nummer einer Voreinstellung. Vorgabe: das erste der Steuerung, oder was darin aktiv ist.</translation>
+    </message>
+    <message>
+        <source>The cylinders that the holder is made of, from the shank upward.</source>
+        <translation>Die Zylinder, aus denen der Halter besteht, vom Schaft aufwärts.</translation>
+    </message>
+    <message>
+        <source>The facet count in the header is wrong; the facets up to the end of the file were read.</source>
+        <translation>Die Facettenzahl im Kopf ist falsch; gelesen wurden die Facetten bis zum Ende der Datei.</translation>
+    </message>
+    <message>
+        <source>The file has further pictures; the first was read.</source>
+        <translation>Die Datei hat weitere Bilder; das erste wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The file has points or lines beside its facets; they were ignored.</source>
+        <translation>Die Datei hat neben Facetten Punkte oder Linien; sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The file has several parts or solids; all are in their places.</source>
+        <translation>Die Datei hat mehrere Teile oder Körper; alle sind an ihren Plätzen.</translation>
+    </message>
+    <message>
+        <source>The file has several solids; their facets were put together.</source>
+        <translation>Die Datei hat mehrere Körper; ihre Facetten wurden zusammengelegt.</translation>
+    </message>
+    <message>
+        <source>The file states its own unit, which is not the one that the job says: that of the file counts.</source>
+        <translation>Die Datei nennt ihre eigene Einheit, die nicht die des Auftrags ist: die der Datei gilt.</translation>
+    </message>
+    <message>
+        <source>The fixture '{1}' stands in the part.</source>
+        <translation>Das Spannmittel '{1}' steht im Teil.</translation>
+    </message>
+    <message>
+        <source>The fixture's mesh ({1}), closed; a relative path starts at the project file.</source>
+        <translation>Das Netz des Spannmittels ({1}), geschlossen; ein relativer Pfad beginnt bei der Projektdatei.</translation>
+    </message>
+    <message>
+        <source>The last line has no line end: the file may have been cut. It was read as it stands.</source>
+        <translation>Der letzten Zeile fehlt das Zeilenende: die Datei ist vielleicht abgeschnitten. Sie wurde gelesen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The machine cannot hold this axis: choose one whose rotary axes can</source>
+        <translation>Die Maschine kann diese Achse nicht halten: eine wählen, die ihre Drehachsen können</translation>
+    </message>
+    <message>
+        <source>The machine has no rotary axis that turns the part: choose a lathe-mill.</source>
+        <translation>Die Maschine hat keine Drehachse, die das Teil dreht: eine Dreh-Fräsmaschine wählen.</translation>
+    </message>
+    <message>
+        <source>The mesh consists of several pieces that share no edge; all are machined.</source>
+        <translation>Das Netz besteht aus mehreren Stücken ohne gemeinsame Kante; alle werden gefräst.</translation>
+    </message>
+    <message>
+        <source>The mesh is closed but wound inside out; it was left so. Cutter contact does not depend on the winding.</source>
+        <translation>Das Netz ist geschlossen, aber von innen nach außen gewunden; es blieb so. Der Fräserkontakt hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>The operation inclines the tool in five axes; the machine has no rotary axis: choose one with two.</source>
+        <translation>Die Operation neigt das Werkzeug in fünf Achsen; die Maschine hat keine Drehachse: eine mit zweien wählen.</translation>
+    </message>
+    <message>
+        <source>The operation inclines the tool in five axes; the machine has one rotary axis: choose one with two.</source>
+        <translation>Die Operation neigt das Werkzeug in fünf Achsen; die Maschine hat eine Drehachse: eine mit zweien wählen.</translation>
+    </message>
+    <message>
+        <source>The operation's own tool: it cannot clean up what it leaves itself</source>
+        <translation>Das Werkzeug der Operation selbst: es kann nicht säubern, was es selbst lässt</translation>
+    </message>
+    <message>
+        <source>The operation's own tool: it cannot rework what it leaves itself</source>
+        <translation>Das Werkzeug der Operation selbst: es kann nicht nacharbeiten, was es selbst lässt</translation>
+    </message>
+    <message>
+        <source>The part is cut free at {1}: what stood round it holds it no longer. Hold it from then on, or leave something between them.</source>
+        <translation>Das Teil wird bei {1} freigeschnitten: was darum stand, hält es nicht mehr. Von da an halten oder etwas dazwischen stehen lassen.</translation>
+    </message>
+    <message>
+        <source>The part is smaller than 1 mm or larger than 10 m: the file may be in another unit.</source>
+        <translation>Das Teil ist kleiner als 1 mm oder größer als 10 m: die Datei ist vielleicht in einer anderen Einheit.</translation>
+    </message>
+    <message>
+        <source>The part lies so far from the origin (or is so large) that 32-bit coordinates are more than 0.01 mm apart; export it near the origin.</source>
+        <translation>Das Teil liegt so weit vom Ursprung (oder ist so groß), dass 32-Bit-Koordinaten mehr als 0,01 mm auseinander sind; nahe am Ursprung exportieren.</translation>
+    </message>
+    <message>
+        <source>The part's mesh ({1}); a relative path starts at the project file.</source>
+        <translation>Das Netz des Teils ({1}); ein relativer Pfad beginnt bei der Projektdatei.</translation>
+    </message>
+    <message>
+        <source>The picture has 256 levels of grey or fewer, which become steps of the surface; smoothing takes them away.</source>
+        <translation>Das Bild hat höchstens 256 Graustufen, die zu Stufen der Fläche werden; Glätten nimmt sie weg.</translation>
+    </message>
+    <message>
+        <source>The picture has colours: their brightness (0.2126 red, 0.7152 green, 0.0722 blue) is the height.</source>
+        <translation>Das Bild hat Farben: ihre Helligkeit (0,2126 Rot, 0,7152 Grün, 0,0722 Blau) ist die Höhe.</translation>
+    </message>
+    <message>
+        <source>The picture has more pixels than a mesh of it may have points (4 million): each point is a mean of the pixels around it.</source>
+        <translation>Das Bild hat mehr Pixel, als ein Netz davon Punkte haben darf (4 Millionen): jeder Punkt ist ein Mittel der Pixel um ihn.</translation>
+    </message>
+    <message>
+        <source>The posted program, {1} blocks, {2}, was read back for '{3}'.</source>
+        <translation>Das ausgegebene Programm, {1} Sätze, {2}, wurde für '{3}' zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>The probes are up to {1} apart, {2} times farther than asked: else there would be more than {3}. What is narrower may be missed.</source>
+        <translation>Die Proben sind bis zu {1} auseinander, {2}-mal weiter als verlangt: sonst wären es mehr als {3}. Schmaleres kann entgehen.</translation>
+    </message>
+    <message>
+        <source>The probes are up to {1} apart, {2} times farther than the stock's rays: else there would be more than {3}. What is narrower may be missed.</source>
+        <translation>Die Proben sind bis zu {1} auseinander, {2}-mal weiter als die Strahlen des Rohteils: sonst wären es mehr als {3}. Schmaleres kann entgehen.</translation>
+    </message>
+    <message>
+        <source>The project scales the part: it is not as large as its file and unit say.</source>
+        <translation>Das Projekt skaliert das Teil: es ist nicht so groß, wie Datei und Einheit sagen.</translation>
+    </message>
+    <message>
+        <source>The same of what holds the stock's high end.</source>
+        <translation>Dasselbe für das, was das obere Ende des Rohteils hält.</translation>
+    </message>
+    <message>
+        <source>The share of the surface to be cut, seen by a tool axis and away from open borders, on which more than twice the tolerance may stay: 0.02 is 2 %.</source>
+        <translation>Der Anteil der zu fräsenden Fläche, von einer Werkzeugachse gesehen und abseits offener Ränder, auf dem mehr als die doppelte Toleranz stehen darf: 0,02 sind 2 %.</translation>
+    </message>
+    <message>
+        <source>The step stays in the recipe and is left out.</source>
+        <translation>Der Schritt bleibt im Rezept und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The stock does not hold the part, which reaches up to {1} beyond the box of the stock's mesh.</source>
+        <translation>Das Rohteil enthält das Teil nicht, das bis zu {1} über den Quader des Rohteilnetzes reicht.</translation>
+    </message>
+    <message>
+        <source>The stock does not hold the part: its diameter is {1}, the part needs {2}.</source>
+        <translation>Das Rohteil enthält das Teil nicht: sein Durchmesser ist {1}, das Teil braucht {2}.</translation>
+    </message>
+    <message>
+        <source>The stock does not reach {1} of the part's area: there only gouges count.</source>
+        <translation>{1} der Fläche des Teils erreicht das Rohteil nicht: dort zählen nur Verletzungen.</translation>
+    </message>
+    <message>
+        <source>The stock stays what the setup before leaves.</source>
+        <translation>Das Rohteil bleibt, was die vorherige Aufspannung lässt.</translation>
+    </message>
+    <message>
+        <source>The stock's mesh ({1}), closed, such as the stock.stl that `simulate` leaves; a relative path starts at the project file.</source>
+        <translation>Das Netz des Rohteils ({1}), geschlossen, wie das stock.stl, das simulate hinterlässt; ein relativer Pfad beginnt bei der Projektdatei.</translation>
+    </message>
+    <message>
+        <source>The tip comes no nearer to the axis than this: nothing is cut off, and holes through the axis are not entered deeper.</source>
+        <translation>Näher kommt die Spitze der Achse nicht: nichts wird abgestochen, und Löcher durch die Achse werden nicht tiefer befahren.</translation>
+    </message>
+    <message>
+        <source>The tolerances of the setups differ: what is left was held against the largest, {1}.</source>
+        <translation>Die Toleranzen der Aufspannungen sind verschieden: was bleibt, wurde an der größten gemessen, {1}.</translation>
+    </message>
+    <message>
+        <source>The word endsolid is missing; the mesh is closed, so the file was taken as complete.</source>
+        <translation>Das Wort endsolid fehlt; das Netz ist geschlossen, also gilt die Datei als vollständig.</translation>
+    </message>
+    <message>
+        <source>Thickening</source>
+        <translation>Wird verdickt</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>Neigungsgrenze</translation>
+    </message>
+    <message>
+        <source>Time of the motion</source>
+        <translation>Zeit der Bewegung</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>Tool path (CL)</source>
+        <translation>Werkzeugweg (CL)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Touches of the tool</source>
+        <translation>Berührungen des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Translate</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Turn limit</source>
+        <translation>Drehgrenze</translation>
+    </message>
+    <message>
+        <source>Turn of the surface's normal per length, in radians per mm, above which a hollow is a strip even where the previous tool could enter it; auto leaves that to the previous tool.</source>
+        <translation>Drehung der Flächennormalen je Länge, in Radiant je mm, über der eine Mulde auch dann ein Streifen ist, wenn das vorherige Werkzeug hineinkäme; auto überlässt das dem vorherigen Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Turning angles in the table of positions: unwound they grow turn after turn, modulo they stay within 0 to 360 degrees.</source>
+        <translation>Drehwinkel in der Tabelle der Positionen: fortlaufend wachsen sie Umdrehung um Umdrehung, modulo bleiben sie in 0 bis 360 Grad.</translation>
+    </message>
+    <message>
+        <source>Turning facets</source>
+        <translation>Facetten werden gewendet</translation>
+    </message>
+    <message>
+        <source>Turns of the tool; 0 where nobody says.</source>
+        <translation>Drehzahl des Werkzeugs; 0, wo niemand sie nennt.</translation>
+    </message>
+    <message>
+        <source>Turns the fixture about X, then Y, then Z (fixed axes), about the middle of its bottom; a mesh about its file's origin.</source>
+        <translation>Dreht das Spannmittel um X, dann Y, dann Z (feste Achsen), um die Mitte seines Bodens; ein Netz um den Ursprung seiner Datei.</translation>
+    </message>
+    <message>
+        <source>Turns the part about X, then Y, then Z (fixed axes).</source>
+        <translation>Dreht das Teil um X, dann Y, dann Z (feste Achsen).</translation>
+    </message>
+    <message>
+        <source>Turns the part, as `part` places it, about X, then Y, then Z (fixed axes) into this setup.</source>
+        <translation>Dreht das Teil, wie `part` es legt, um X, dann Y, dann Z (feste Achsen) in diese Aufspannung.</translation>
+    </message>
+    <message>
+        <source>Turns the stock's mesh about X, then Y, then Z (fixed axes); the part's placement does not move it.</source>
+        <translation>Dreht das Netz des Rohteils um X, dann Y, dann Z (feste Achsen); die Lage des Teils bewegt es nicht.</translation>
+    </message>
+    <message>
+        <source>Turns the {1} into its mirror image, before it is turned: this coordinate of its points changes sign.</source>
+        <translation>Macht daraus ({1}) das Spiegelbild, bevor es gedreht wird: diese Koordinate der Punkte wechselt das Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Twisted prism</source>
+        <translation>Verdrehtes Prisma</translation>
+    </message>
+    <message>
+        <source>T{1}: left out: there is no '{2}' beside the library or in its Bit folder</source>
+        <translation>T{1}: weggelassen: neben der Bibliothek oder in ihrem Ordner Bit gibt es kein '{2}'</translation>
+    </message>
+    <message>
+        <source>Uncut limit</source>
+        <translation>Grenze des Stehengebliebenen</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the mesh file. Default: the project's.</source>
+        <translation>Einheit der Zahlen in der Netzdatei. Vorgabe: die des Projekts.</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Kehle</translation>
+    </message>
+    <message>
+        <source>Valleys shorter than this are left out as noise, and shorter interruptions are bridged; auto is the tool's radius.</source>
+        <translation>Kürzere Kehlen gelten als Rauschen und fallen weg, kürzere Unterbrechungen werden überbrückt; auto ist der Werkzeugradius.</translation>
+    </message>
+    <message>
+        <source>Vendor</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Wird geprüft</translation>
+    </message>
+    <message>
+        <source>Vertices have rational weights other than 1; they were ignored.</source>
+        <translation>Eckpunkte haben rationale Gewichte außer 1; sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>What cutter, shank and holder keep from it, in cuts and in rapids.</source>
+        <translation>Was Fräser, Schaft und Halter davon Abstand halten, beim Fräsen und im Eilgang.</translation>
+    </message>
+    <message>
+        <source>What every edge takes in a turn; 0 where nobody says.</source>
+        <translation>Was jede Schneide je Umdrehung nimmt; 0, wo niemand ihn nennt.</translation>
+    </message>
+    <message>
+        <source>What is cut.</source>
+        <translation>Was gefräst wird.</translation>
+    </message>
+    <message>
+        <source>What it is called.</source>
+        <translation>Wie es heißt.</translation>
+    </message>
+    <message>
+        <source>What makes the region: painted facets, a range of slope, a closed curve drawn on the part, the part's outline, what a tool leaves, or faces of a STEP or IGES file.</source>
+        <translation>Was den Bereich ausmacht: gemalte Facetten, ein Neigungsbereich, eine auf dem Teil gezeichnete geschlossene Kurve, der Umriss des Teils, was ein Werkzeug lässt, oder Flächen einer STEP- oder IGES-Datei.</translation>
+    </message>
+    <message>
+        <source>What roughing leaves on the part for finishing, beside the allowance that stays in the end.</source>
+        <translation>Was das Schruppen zum Schlichten auf dem Teil lässt, neben dem Aufmaß, das am Ende bleibt.</translation>
+    </message>
+    <message>
+        <source>What the boundary keeps within: the place where the cutter touches the part, the tip, or all of the cutter. Roughing keeps the tip or the cutter within.</source>
+        <translation>Was die Begrenzung darin hält: die Stelle, an der der Fräser das Teil berührt, die Spitze oder den ganzen Fräser. Schruppen hält Spitze oder Fräser darin.</translation>
+    </message>
+    <message>
+        <source>What the part turns about: a direction of the part, or a line through two points.</source>
+        <translation>Worum sich das Teil dreht: eine Richtung des Teils oder eine Gerade durch zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>What the setup sheet calls the tool.</source>
+        <translation>Wie das Einrichteblatt das Werkzeug nennt.</translation>
+    </message>
+    <message>
+        <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open.</source>
+        <translation>Was der Schritt tut: kleine Stücke entfernen, Facetten einheitlich wenden, Nadeln entfernen, Löcher füllen, Rauschen glätten, ausdünnen, an einer Ebene schneiden, ein Blech verdicken, neu machen, wo sich die Fläche selbst durchdringt, einen anderen Scan anfügen, Lappen entfernen, die an der Fläche hängen und im Freien enden.</translation>
+    </message>
+    <message>
+        <source>What the stock is larger than the part: on both sides in x, on both sides in y, on top in z. Round a cylinder whose diameter is `auto` the larger one of those across its axis counts.</source>
+        <translation>Um was das Rohteil größer ist als das Teil: beidseitig in x, beidseitig in y, oben in z. Um einen Zylinder mit Durchmesser auto zählt die größere quer zur Achse.</translation>
+    </message>
+    <message>
+        <source>What the tool leaves counts where it is thicker than that.</source>
+        <translation>Was das Werkzeug lässt, zählt, wo es dicker ist als das.</translation>
+    </message>
+    <message>
+        <source>What the zero of the work coordinates is on: the part's origin, or the box of the stock or of the part. Posted programs and the setup sheet count from there; APT files are in part coordinates.</source>
+        <translation>Worauf der Nullpunkt liegt: der Ursprung des Teils, oder der Quader um Rohteil oder Teil. Ausgegebene Programme und das Einrichteblatt zählen von dort; APT-Dateien stehen in Koordinaten des Teils.</translation>
+    </message>
+    <message>
+        <source>Where along the axis the path begins, from the axis' point; auto: where the part does, and as far before it as rounded ends ask for.</source>
+        <translation>Wo entlang der Achse der Weg beginnt, vom Punkt der Achse aus; auto: wo das Teil beginnt, und so weit davor, wie gerundete Enden es verlangen.</translation>
+    </message>
+    <message>
+        <source>Where along the axis the path ends.</source>
+        <translation>Wo entlang der Achse der Weg endet.</translation>
+    </message>
+    <message>
+        <source>Where an axis along x, y or z runs: through the part's origin or through the middle of its box.</source>
+        <translation>Wo eine Achse entlang x, y oder z verläuft: durch den Ursprung des Teils oder die Mitte seines Quaders.</translation>
+    </message>
+    <message>
+        <source>Where it was dragged to.</source>
+        <translation>Wohin sie gezogen wurde.</translation>
+    </message>
+    <message>
+        <source>Where leads up to the assumed limit on passes all over the part take less time than the lead limit and rework together, they are used. false: the lead limit is kept. Edited regions keep it too.</source>
+        <translation>Wo Anstellwinkel bis zur angenommenen Grenze auf Bahnen über das ganze Teil weniger Zeit brauchen als Grenze und Nacharbeit zusammen, werden sie verwendet. Aus: die Grenze wird eingehalten. Bearbeitete Bereiche behalten sie auch.</translation>
+    </message>
+    <message>
+        <source>Where on the box of stock or part the zero is, in X, Y and Z: -1 its low side, 0 its middle, 1 its high side. `0, 0, 1`: the middle of its top.</source>
+        <translation>Wo am Quader um Rohteil oder Teil der Nullpunkt liegt, in X, Y und Z: -1 die niedrige Seite, 0 die Mitte, 1 die hohe Seite. `0, 0, 1`: die Mitte der Oberseite.</translation>
+    </message>
+    <message>
+        <source>Where the boundary was.</source>
+        <translation>Wo die Begrenzung war.</translation>
+    </message>
+    <message>
+        <source>Where the middle of its bottom is; how far a mesh is moved. The part's placement does not move it.</source>
+        <translation>Wo die Mitte seines Bodens ist; wie weit ein Netz verschoben wird. Die Lage des Teils bewegt es nicht.</translation>
+    </message>
+    <message>
+        <source>Which objects of a 3MF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate.</source>
+        <translation>Welche Objekte einer 3MF-Datei das Teil sind, nach Name oder Nummer, durch Kommas getrennt; info listet sie auf. Leer: alle auf der Bauplatte der Datei.</translation>
+    </message>
+    <message>
+        <source>Wider than the tool, whose diameter is {1}: walls would stay between the passes</source>
+        <translation>Breiter als das Werkzeug, dessen Durchmesser {1} ist: Wände blieben zwischen den Bahnen</translation>
+    </message>
+    <message>
+        <source>Winding</source>
+        <translation>Winkelzählung</translation>
+    </message>
+    <message>
+        <source>With three axes the tool stands upright everywhere.</source>
+        <translation>Mit drei Achsen steht das Werkzeug überall senkrecht.</translation>
+    </message>
+    <message>
+        <source>Within a cutter's radius of the part's open border no path goes on: that zone has figures of its own.</source>
+        <translation>Innerhalb eines Fräserradius vom offenen Rand des Teils geht kein Weg weiter: diese Zone hat eigene Zahlen.</translation>
+    </message>
+    <message>
+        <source>Work coordinates</source>
+        <translation>Werkstückkoordinaten</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Writing programs</source>
+        <translation>Programme werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the part</source>
+        <translation>Das Teil wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Taumelwinkel</translation>
+    </message>
+    <message>
+        <source>Yaw limits</source>
+        <translation>Grenzen des Taumelwinkels</translation>
+    </message>
+    <message>
+        <source>Yaw, deg</source>
+        <translation>Taumelwinkel, °</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Zero from</source>
+        <translation>Nullpunkt von</translation>
+    </message>
+    <message>
+        <source>Zero on box</source>
+        <translation>Nullpunkt am Quader</translation>
+    </message>
+    <message>
+        <source>a .fcholder file has one holder</source>
+        <translation>eine .fcholder-Datei hat einen Halter</translation>
+    </message>
+    <message>
+        <source>a .fctb file has one tool</source>
+        <translation>eine .fctb-Datei hat ein Werkzeug</translation>
+    </message>
+    <message>
+        <source>a 3MF file</source>
+        <translation>eine 3MF-Datei</translation>
+    </message>
+    <message>
+        <source>a BMP picture</source>
+        <translation>ein BMP-Bild</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a PLY file</source>
+        <translation>eine PLY-Datei</translation>
+    </message>
+    <message>
+        <source>a PLY file holds at most 2 147 483 647 vertices</source>
+        <translation>eine PLY-Datei enthält höchstens 2 147 483 647 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a RAR archive</source>
+        <translation>ein RAR-Archiv</translation>
+    </message>
+    <message>
+        <source>a RIFF sound or picture</source>
+        <translation>ein RIFF-Klang oder -Bild</translation>
+    </message>
+    <message>
+        <source>a STEP file</source>
+        <translation>eine STEP-Datei</translation>
+    </message>
+    <message>
+        <source>a TIFF picture</source>
+        <translation>ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>a VRML file</source>
+        <translation>eine VRML-Datei</translation>
+    </message>
+    <message>
+        <source>a ZIP archive (perhaps 3MF)</source>
+        <translation>ein ZIP-Archiv (vielleicht 3MF)</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>a bzip2 archive</source>
+        <translation>ein bzip2-Archiv</translation>
+    </message>
+    <message>
+        <source>a closed curve has three corners or more</source>
+        <translation>eine geschlossene Kurve hat drei Ecken oder mehr</translation>
+    </message>
+    <message>
+        <source>a coordinate is beyond {1}</source>
+        <translation>eine Koordinate ist jenseits von {1}</translation>
+    </message>
+    <message>
+        <source>a coordinate is larger than {1} mm</source>
+        <translation>eine Koordinate ist größer als {1} mm</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number</source>
+        <translation>eine Koordinate ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a coordinate is too large</source>
+        <translation>eine Koordinate ist zu groß</translation>
+    </message>
+    <message>
+        <source>a coordinate is too large once the {1} is in its place</source>
+        <translation>eine Koordinate ist zu groß, wenn das Objekt ({1}) an seinem Platz ist</translation>
+    </message>
+    <message>
+        <source>a corner cannot be written as a float</source>
+        <translation>eine Ecke kann nicht als float geschrieben werden</translation>
+    </message>
+    <message>
+        <source>a corner is further than {1} from the origin</source>
+        <translation>eine Ecke ist weiter als {1} vom Ursprung</translation>
+    </message>
+    <message>
+        <source>a corner is not a finite number</source>
+        <translation>eine Ecke ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a count expected, found '{1}'</source>
+        <translation>eine Anzahl erwartet, gefunden: '{1}'</translation>
+    </message>
+    <message>
+        <source>a dimension of the cutter is not a usable number</source>
+        <translation>ein Maß des Fräsers ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>a facet has fewer than 3 corners</source>
+        <translation>eine Facette hat weniger als 3 Ecken</translation>
+    </message>
+    <message>
+        <source>a facet stands outside of a solid</source>
+        <translation>eine Facette steht außerhalb eines solid</translation>
+    </message>
+    <message>
+        <source>a feed of {1} mm/min has no digits left</source>
+        <translation>ein Vorschub von {1} mm/min hat keine Stellen mehr</translation>
+    </message>
+    <message>
+        <source>a field has another number of values than vertices</source>
+        <translation>ein Feld hat eine andere Anzahl Werte als Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a file in memory cannot be used: {1}</source>
+        <translation>eine Datei im Speicher ist nicht nutzbar: {1}</translation>
+    </message>
+    <message>
+        <source>a folder appeared in its place</source>
+        <translation>an ihrer Stelle erschien ein Ordner</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>eine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>a hole would be filled with more than {1} facets</source>
+        <translation>ein Loch würde mit mehr als {1} Facetten gefüllt</translation>
+    </message>
+    <message>
+        <source>a lead limit of 0 leaves the main path no hollows</source>
+        <translation>eine Grenze des Anstellwinkels von 0 lässt dem Hauptweg keine Mulden</translation>
+    </message>
+    <message>
+        <source>a lead of at most {1} leaves the whole part uncut with this tool</source>
+        <translation>ein Anstellwinkel von höchstens {1} lässt mit diesem Werkzeug das ganze Teil stehen</translation>
+    </message>
+    <message>
+        <source>a list of {1} numbers</source>
+        <translation>eine Liste von {1} Zahlen</translation>
+    </message>
+    <message>
+        <source>a mesh has no described shape</source>
+        <translation>ein Netz hat keine beschriebene Form</translation>
+    </message>
+    <message>
+        <source>a minute</source>
+        <translation>eine Minute</translation>
+    </message>
+    <message>
+        <source>a name has a backslash, a colon or a control character</source>
+        <translation>ein Name hat einen Rückstrich, Doppelpunkt oder ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>a name is absolute</source>
+        <translation>ein Name ist absolut</translation>
+    </message>
+    <message>
+        <source>a name is empty or too long</source>
+        <translation>ein Name ist leer oder zu lang</translation>
+    </message>
+    <message>
+        <source>a name leads elsewhere</source>
+        <translation>ein Name führt anderswohin</translation>
+    </message>
+    <message>
+        <source>a name occurs twice</source>
+        <translation>ein Name kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>a number expected, found '{1}'</source>
+        <translation>eine Zahl erwartet, gefunden: '{1}'</translation>
+    </message>
+    <message>
+        <source>a number has a comma where other numbers have a decimal point</source>
+        <translation>eine Zahl hat ein Komma, wo andere einen Dezimalpunkt haben</translation>
+    </message>
+    <message>
+        <source>a number is divided by a measure</source>
+        <translation>eine Zahl wird durch ein Maß geteilt</translation>
+    </message>
+    <message>
+        <source>a number or a word</source>
+        <translation>eine Zahl oder ein Wort</translation>
+    </message>
+    <message>
+        <source>a number or one of: {1}</source>
+        <translation>eine Zahl oder eines von: {1}</translation>
+    </message>
+    <message>
+        <source>a number or outer loop</source>
+        <translation>eine Zahl oder outer loop</translation>
+    </message>
+    <message>
+        <source>a part of an object stands outside of any</source>
+        <translation>ein Stück eines Objekts steht außerhalb von jedem</translation>
+    </message>
+    <message>
+        <source>a part of {1} by {2} asks for more than {3} contact points of these tools</source>
+        <translation>ein Teil von {1} mal {2} verlangt mehr als {3} Berührpunkte dieser Werkzeuge</translation>
+    </message>
+    <message>
+        <source>a part of {1} by {2} asks for more than {3} contact points of this tool</source>
+        <translation>ein Teil von {1} mal {2} verlangt mehr als {3} Berührpunkte dieses Werkzeugs</translation>
+    </message>
+    <message>
+        <source>a part of {1} by {2} asks for more than {3} places of this tool</source>
+        <translation>ein Teil von {1} mal {2} verlangt mehr als {3} Stellen dieses Werkzeugs</translation>
+    </message>
+    <message>
+        <source>a pass goes {1} into the allowance at {2}</source>
+        <translation>eine Bahn geht bei {2} um {1} in das Aufmaß</translation>
+    </message>
+    <message>
+        <source>a project cannot be the {1} of a project</source>
+        <translation>ein Projekt kann nicht Datei eines Projekts sein: {1}</translation>
+    </message>
+    <message>
+        <source>a project has one setup at least</source>
+        <translation>ein Projekt hat mindestens eine Aufspannung</translation>
+    </message>
+    <message>
+        <source>a property before any element</source>
+        <translation>eine Eigenschaft vor jedem Element</translation>
+    </message>
+    <message>
+        <source>a radius and a height</source>
+        <translation>einen Radius und eine Höhe</translation>
+    </message>
+    <message>
+        <source>a relief needs two columns and two rows</source>
+        <translation>ein Relief braucht zwei Spalten und zwei Zeilen</translation>
+    </message>
+    <message>
+        <source>a setup turns and moves the part, and cannot mirror it</source>
+        <translation>eine Aufspannung dreht und verschiebt das Teil und kann es nicht spiegeln</translation>
+    </message>
+    <message>
+        <source>a sign is missing between two numbers</source>
+        <translation>zwischen zwei Zahlen fehlt ein Zeichen</translation>
+    </message>
+    <message>
+        <source>a step of kind {1} does not read it</source>
+        <translation>ein Schritt der Art {1} liest es nicht</translation>
+    </message>
+    <message>
+        <source>a step-over of {1} makes</source>
+        <translation>ein Bahnabstand von {1} ergibt</translation>
+    </message>
+    <message>
+        <source>a step-over of {1} makes more than {2} drive planes</source>
+        <translation>ein Bahnabstand von {1} ergibt mehr als {2} Führungsebenen</translation>
+    </message>
+    <message>
+        <source>a step-over of {1} with a cutter of diameter {2} leaves walls between the lines</source>
+        <translation>ein Bahnabstand von {1} mit einem Fräser vom Durchmesser {2} lässt Wände zwischen den Linien</translation>
+    </message>
+    <message>
+        <source>a stick-out of {1} below the holder instead of {2}</source>
+        <translation>eine Auskraglänge von {1} unter dem Halter statt {2}</translation>
+    </message>
+    <message>
+        <source>a strip names vertex {1}, the file has {2} (from 0)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a surface has a place that is not finite</source>
+        <translation>eine Fläche hat eine Stelle, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>a table tells no shape and no lengths: taken for a ball end with usual flutes and shank</source>
+        <translation>eine Tabelle nennt weder Form noch Längen: gilt als Kugelkopf mit üblichen Schneiden und Schaft</translation>
+    </message>
+    <message>
+        <source>a table tells no shape and no lengths: taken for a flat end with usual flutes and shank</source>
+        <translation>eine Tabelle nennt weder Form noch Längen: gilt als flach mit üblichen Schneiden und Schaft</translation>
+    </message>
+    <message>
+        <source>a text that does not start with 'solid'</source>
+        <translation>ein Text, der nicht mit 'solid' beginnt</translation>
+    </message>
+    <message>
+        <source>a tool axis lies down</source>
+        <translation>eine Werkzeugachse liegt</translation>
+    </message>
+    <message>
+        <source>a tool fits but does not go there</source>
+        <translation>ein Werkzeug passt, geht aber nicht dorthin</translation>
+    </message>
+    <message>
+        <source>a tool pose is not finite or its axis is no unit vector</source>
+        <translation>eine Werkzeuglage ist nicht endlich oder ihre Achse kein Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>a transfer as text has changed the binary file: there is a CR before every LF</source>
+        <translation>eine Übertragung als Text hat die binäre Datei verändert: vor jedem LF steht ein CR</translation>
+    </message>
+    <message>
+        <source>a triangle names a sample that there is not</source>
+        <translation>ein Dreieck nennt eine Probe, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a triangle names the vertex {1} of {2}</source>
+        <translation>ein Dreieck nennt den Eckpunkt {1} von {2}</translation>
+    </message>
+    <message>
+        <source>a vertex has 5 numbers</source>
+        <translation>ein Eckpunkt hat 5 Zahlen</translation>
+    </message>
+    <message>
+        <source>a vertex has fewer than 3 numbers</source>
+        <translation>ein Eckpunkt hat weniger als 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>a vertex has more than 7 numbers</source>
+        <translation>ein Eckpunkt hat mehr als 7 Zahlen</translation>
+    </message>
+    <message>
+        <source>a vertex has no {1}</source>
+        <translation>einem Eckpunkt fehlt {1}</translation>
+    </message>
+    <message>
+        <source>a vertex is further than {1} from the origin</source>
+        <translation>ein Eckpunkt ist weiter als {1} vom Ursprung</translation>
+    </message>
+    <message>
+        <source>a vertex number expected, found '{1}'</source>
+        <translation>eine Eckpunktnummer erwartet, gefunden: '{1}'</translation>
+    </message>
+    <message>
+        <source>a web page</source>
+        <translation>eine Webseite</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a {1} of kind '{2}' has no such key</source>
+        <translation>{1} der Art '{2}' kennt diesen Schlüssel nicht</translation>
+    </message>
+    <message>
+        <source>about {1} million points, {2} GB, {3}</source>
+        <translation>etwa {1} Millionen Punkte, {2} GB, {3}</translation>
+    </message>
+    <message>
+        <source>above -90° and below 90°</source>
+        <translation>über -90° und unter 90°</translation>
+    </message>
+    <message>
+        <source>above 0° and at most 90°</source>
+        <translation>über 0° und höchstens 90°</translation>
+    </message>
+    <message>
+        <source>above {1}</source>
+        <translation>über {1}</translation>
+    </message>
+    <message>
+        <source>above {1} and at most {2}</source>
+        <translation>über {1} und höchstens {2}</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptiv</translation>
+    </message>
+    <message>
+        <source>add "facetmill": {1}; is this a project file?</source>
+        <translation>"facetmill": {1} einfügen; ist das eine Projektdatei?</translation>
+    </message>
+    <message>
+        <source>add CUTTER/d,r,e,f,alpha,beta,h before the first GOTO</source>
+        <translation>CUTTER/d,r,e,f,alpha,beta,h vor dem ersten GOTO einfügen</translation>
+    </message>
+    <message>
+        <source>add a CL between, which says in which plane it turns</source>
+        <translation>ein CL dazwischen einfügen, das sagt, in welcher Ebene sie sich dreht</translation>
+    </message>
+    <message>
+        <source>add a box, choose the kind "tab" and move it to its place</source>
+        <translation>einen Quader hinzufügen, die Art Steg wählen und an seinen Platz schieben</translation>
+    </message>
+    <message>
+        <source>add an operation</source>
+        <translation>eine Operation hinzufügen</translation>
+    </message>
+    <message>
+        <source>add it to the words of the post</source>
+        <translation>es bei den Wörtern des Postprozessors hinzufügen</translation>
+    </message>
+    <message>
+        <source>all around</source>
+        <translation>ringsum</translation>
+    </message>
+    <message>
+        <source>all cutting data but the first</source>
+        <translation>alle Schnittdaten außer den ersten</translation>
+    </message>
+    <message>
+        <source>all facets of the part face along the turning axis</source>
+        <translation>alle Facetten des Teils zeigen entlang der Drehachse</translation>
+    </message>
+    <message>
+        <source>all of them are switched off</source>
+        <translation>alle sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>all strips are switched off</source>
+        <translation>alle Streifen sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>allow a larger chord tolerance, or export the parts one by one</source>
+        <translation>eine größere Sehnentoleranz erlauben oder die Teile einzeln exportieren</translation>
+    </message>
+    <message>
+        <source>allow a larger one</source>
+        <translation>eine größere erlauben</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or set a step-over</source>
+        <translation>eine größere Toleranz erlauben oder einen Bahnabstand setzen</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or tessellate the part more finely</source>
+        <translation>eine größere Toleranz erlauben oder das Teil feiner vernetzen</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance, or use a tool with a larger corner radius</source>
+        <translation>eine größere Toleranz erlauben oder ein Werkzeug mit größerem Eckenradius nehmen</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance, set a depth, or take a tool with a flat end</source>
+        <translation>eine größere Toleranz erlauben, eine Tiefe setzen oder ein Werkzeug mit flacher Stirn nehmen</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance, use a tool with a larger corner radius, or switch strips off</source>
+        <translation>eine größere Toleranz erlauben, ein Werkzeug mit größerem Eckenradius nehmen oder Streifen ausschalten</translation>
+    </message>
+    <message>
+        <source>allowed: {1}</source>
+        <translation>erlaubt: {1}</translation>
+    </message>
+    <message>
+        <source>along the tool axis</source>
+        <translation>entlang der Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>an IGES file</source>
+        <translation>eine IGES-Datei</translation>
+    </message>
+    <message>
+        <source>an OBJ file</source>
+        <translation>eine OBJ-Datei</translation>
+    </message>
+    <message>
+        <source>an OFF file</source>
+        <translation>eine OFF-Datei</translation>
+    </message>
+    <message>
+        <source>an Office or SolidWorks document</source>
+        <translation>ein Office- oder SolidWorks-Dokument</translation>
+    </message>
+    <message>
+        <source>an STL file</source>
+        <translation>eine STL-Datei</translation>
+    </message>
+    <message>
+        <source>an STL file holds at most 4 294 967 294 facets</source>
+        <translation>eine STL-Datei enthält höchstens 4 294 967 294 Facetten</translation>
+    </message>
+    <message>
+        <source>an XML document</source>
+        <translation>ein XML-Dokument</translation>
+    </message>
+    <message>
+        <source>an entry has no name or no size</source>
+        <translation>ein Eintrag hat keinen Namen oder keine Größe</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an object has too many vertices</source>
+        <translation>ein Objekt hat zu viele Eckpunkte</translation>
+    </message>
+    <message>
+        <source>an object stands in another one</source>
+        <translation>ein Objekt steht in einem anderen</translation>
+    </message>
+    <message>
+        <source>an object with the key "facetmill"</source>
+        <translation>ein Objekt mit dem Schlüssel "facetmill"</translation>
+    </message>
+    <message>
+        <source>an operation on a part that turns knows no boundaries</source>
+        <translation>eine Operation an einem drehenden Teil kennt keine Begrenzungen</translation>
+    </message>
+    <message>
+        <source>an xz archive</source>
+        <translation>ein xz-Archiv</translation>
+    </message>
+    <message>
+        <source>another {1} is called '{2}'</source>
+        <translation>'{2}' heißt schon etwas anderes ({1})</translation>
+    </message>
+    <message>
+        <source>as many answers as points are needed</source>
+        <translation>so viele Antworten wie Punkte sind nötig</translation>
+    </message>
+    <message>
+        <source>as many lifts as poses are needed</source>
+        <translation>so viele Abhübe wie Lagen sind nötig</translation>
+    </message>
+    <message>
+        <source>as many lifts as postures are needed</source>
+        <translation>so viele Abhübe wie Stellungen sind nötig</translation>
+    </message>
+    <message>
+        <source>at least {1}</source>
+        <translation>mindestens {1}</translation>
+    </message>
+    <message>
+        <source>at most 1.4 thousand million are possible</source>
+        <translation>höchstens 1,4 Milliarden sind möglich</translation>
+    </message>
+    <message>
+        <source>at most {1}</source>
+        <translation>höchstens {1}</translation>
+    </message>
+    <message>
+        <source>at {1} % of the places looked at even the smallest side feed leaves more than {2}: walls that face along the passes, or a cutter with a sharp corner</source>
+        <translation>an {1} % der untersuchten Stellen lässt selbst der kleinste Seitenvorschub mehr als {2}: Wände längs der Bahnen oder ein Fräser mit scharfer Ecke</translation>
+    </message>
+    <message>
+        <source>at {1} of {2} places the tool meets nothing on its way to the axis and stops at the core radius of {3}: holes through the axis, or ends of the part that are cut down to it</source>
+        <translation>an {1} von {2} Stellen trifft das Werkzeug auf dem Weg zur Achse nichts und hält am Kernradius von {3}: Löcher durch die Achse, oder Enden des Teils, die bis dorthin gefräst werden</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto: where parts of the surface that an axis reaches do not face up (walls, undersides, both faces of a blade), the part is cut side by side, each connected piece seen from its own side, with the yaw free and a posture grid twice as coarse; what no axis reaches is said. top: everything is cut as it is seen from above.</source>
+        <translation>auto: wo Teile der Fläche, die eine Achse erreicht, nicht nach oben zeigen (Wände, Unterseiten, beide Seiten einer Schaufel), wird das Teil Seite für Seite gefräst, jedes zusammenhängende Stück von seiner Seite gesehen, mit freiem Taumelwinkel und doppelt so grobem Stellungsraster; was keine Achse erreicht, wird gesagt. oben: alles wird gefräst, wie es von oben zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>avoid fewer facets, or cut within a boundary that leaves them out</source>
+        <translation>weniger Facetten meiden, oder innerhalb einer Begrenzung fräsen, die sie auslässt</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>ball cuts the regions with a ball and a vertical axis; cm2 with a smaller flat or bull-nosed tool whose lead matches the curvature.</source>
+        <translation>Kugel fräst die Bereiche mit einem Kugelkopf und senkrechter Achse; krümmungsgleich (CM²) mit einem kleineren flachen oder torischen Werkzeug, dessen Anstellwinkel die Krümmung angleicht.</translation>
+    </message>
+    <message>
+        <source>ball end mill</source>
+        <translation>Kugelfräser</translation>
+    </message>
+    <message>
+        <source>bottom angle and taper angle make no convex cutter</source>
+        <translation>Stirn- und Flankenwinkel ergeben keinen konvexen Fräser</translation>
+    </message>
+    <message>
+        <source>bottom angle {1} and taper angle {2} make no convex cutter</source>
+        <translation>Stirnwinkel {1} und Flankenwinkel {2} ergeben keinen konvexen Fräser</translation>
+    </message>
+    <message>
+        <source>boundaries there are: {1}</source>
+        <translation>vorhandene Begrenzungen: {1}</translation>
+    </message>
+    <message>
+        <source>boundary '{1}'</source>
+        <translation>Begrenzung '{1}'</translation>
+    </message>
+    <message>
+        <source>boundary '{1}' is what this tool leaves</source>
+        <translation>Begrenzung '{1}' ist, was dieses Werkzeug lässt</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>bull nose end mill</source>
+        <translation>Torusfräser</translation>
+    </message>
+    <message>
+        <source>cannot be reached: {1} of the surface ({2}) around {3}: {4}</source>
+        <translation>unerreichbar: {1} der Fläche ({2}) um {3}: {4}</translation>
+    </message>
+    <message>
+        <source>cannot be reached: {1} smaller places; {2} of the surface in all</source>
+        <translation>unerreichbar: {1} kleinere Stellen; {2} der Fläche insgesamt</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked for this run: {1}</source>
+        <translation>kann für diesen Lauf nicht entpackt werden: {1}</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: {1}</source>
+        <translation>kann nicht entpackt werden: {1}</translation>
+    </message>
+    <message>
+        <source>cannot make the folder: {1}</source>
+        <translation>der Ordner kann nicht angelegt werden: {1}</translation>
+    </message>
+    <message>
+        <source>cannot make the folder{1}</source>
+        <translation>der Ordner kann nicht angelegt werden{1}</translation>
+    </message>
+    <message>
+        <source>cannot open the file: {1}</source>
+        <translation>die Datei kann nicht geöffnet werden: {1}</translation>
+    </message>
+    <message>
+        <source>cannot write the file: {1}</source>
+        <translation>die Datei kann nicht geschrieben werden: {1}</translation>
+    </message>
+    <message>
+        <source>center drill</source>
+        <translation>Zentrierbohrer</translation>
+    </message>
+    <message>
+        <source>chamfer mill</source>
+        <translation>Fasenfräser</translation>
+    </message>
+    <message>
+        <source>change it</source>
+        <translation>es ändern</translation>
+    </message>
+    <message>
+        <source>change the operation's limits, or the part's place on the machine</source>
+        <translation>die Grenzen der Operation oder den Ort des Teils auf der Maschine ändern</translation>
+    </message>
+    <message>
+        <source>check `place` of both setups and where the stock's mesh is, or let the setup go on with the rest</source>
+        <translation>`place` beider Aufspannungen prüfen und wo das Netz des Rohteils ist, oder die Aufspannung mit dem Rest weitermachen lassen</translation>
+    </message>
+    <message>
+        <source>check commas, quotes and braces</source>
+        <translation>Kommas, Anführungszeichen und Klammern prüfen</translation>
+    </message>
+    <message>
+        <source>check its permissions</source>
+        <translation>die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>check part and direction</source>
+        <translation>Teil und Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>check part, tool and direction</source>
+        <translation>Teil, Werkzeug und Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>check part, tool and tolerance</source>
+        <translation>Teil, Werkzeug und Toleranz prüfen</translation>
+    </message>
+    <message>
+        <source>check the axis</source>
+        <translation>die Achse prüfen</translation>
+    </message>
+    <message>
+        <source>check the axis, the core radius and where the path starts and stops</source>
+        <translation>die Achse, den Kernradius und Anfang und Ende des Wegs prüfen</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>die Platte prüfen</translation>
+    </message>
+    <message>
+        <source>check the file</source>
+        <translation>die Datei prüfen</translation>
+    </message>
+    <message>
+        <source>check the folder, its permissions and the free space</source>
+        <translation>den Ordner, seine Rechte und den freien Platz prüfen</translation>
+    </message>
+    <message>
+        <source>check the folder, its permissions and the free space, or name another one in TMPDIR</source>
+        <translation>den Ordner, seine Rechte und den freien Platz prüfen oder in TMPDIR einen anderen nennen</translation>
+    </message>
+    <message>
+        <source>check the free space of temporary files</source>
+        <translation>den freien Platz für temporäre Dateien prüfen</translation>
+    </message>
+    <message>
+        <source>check the free space of temporary files, or name another folder in TMPDIR</source>
+        <translation>den freien Platz für temporäre Dateien prüfen oder in TMPDIR einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>check the mesh</source>
+        <translation>das Netz prüfen</translation>
+    </message>
+    <message>
+        <source>check the mesh's units and numbers</source>
+        <translation>Einheit und Zahlen des Netzes prüfen</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>den Namen prüfen</translation>
+    </message>
+    <message>
+        <source>check the part</source>
+        <translation>das Teil prüfen</translation>
+    </message>
+    <message>
+        <source>check the part's units</source>
+        <translation>die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>check the part's units, or take a larger tool or step-over</source>
+        <translation>die Einheit des Teils prüfen oder Werkzeug oder Bahnabstand größer wählen</translation>
+    </message>
+    <message>
+        <source>check the part's units, or take a larger tool or tolerance</source>
+        <translation>die Einheit des Teils prüfen oder Werkzeug oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>check the part's units, or take a larger tool, tolerance or side feed</source>
+        <translation>die Einheit des Teils prüfen oder Werkzeug, Toleranz oder Seitenvorschub größer wählen</translation>
+    </message>
+    <message>
+        <source>check the part's units, or take a larger tool, tolerance or step-over</source>
+        <translation>die Einheit des Teils prüfen oder Werkzeug, Toleranz oder Bahnabstand größer wählen</translation>
+    </message>
+    <message>
+        <source>check the part's units, or take larger tools</source>
+        <translation>die Einheit des Teils prüfen oder größere Werkzeuge nehmen</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>check the placements, or give the setup a stock of its own</source>
+        <translation>die Lagen prüfen oder der Aufspannung ein eigenes Rohteil geben</translation>
+    </message>
+    <message>
+        <source>check the program's units</source>
+        <translation>die Einheit des Programms prüfen</translation>
+    </message>
+    <message>
+        <source>check the stock's size and place</source>
+        <translation>Größe und Lage des Rohteils prüfen</translation>
+    </message>
+    <message>
+        <source>check the tool</source>
+        <translation>das Werkzeug prüfen</translation>
+    </message>
+    <message>
+        <source>check the units and the origin of the program</source>
+        <translation>Einheit und Ursprung des Programms prüfen</translation>
+    </message>
+    <message>
+        <source>check the {1}'s units and translate</source>
+        <translation>Einheit und Verschiebung prüfen ({1})</translation>
+    </message>
+    <message>
+        <source>check tool, allowance and stock</source>
+        <translation>Werkzeug, Aufmaß und Rohteil prüfen</translation>
+    </message>
+    <message>
+        <source>choose a ball, or let it match the curvature (CM2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a flat or bull-nosed tool, or cut the regions as with a ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a larger angle, such as 3°</source>
+        <translation>einen größeren Winkel wählen, etwa 3°</translation>
+    </message>
+    <message>
+        <source>choose a larger angle, such as 3°, or narrower limits</source>
+        <translation>einen größeren Winkel wählen, etwa 3°, oder engere Grenzen</translation>
+    </message>
+    <message>
+        <source>choose a larger depth of cut</source>
+        <translation>eine größere Schnitttiefe wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger depth or tolerance</source>
+        <translation>Tiefe oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger side feed or tolerance</source>
+        <translation>Seitenvorschub oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger step-over</source>
+        <translation>einen größeren Bahnabstand wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger step-over or tolerance</source>
+        <translation>Bahnabstand oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller allowance, or a larger stock</source>
+        <translation>ein kleineres Aufmaß oder ein größeres Rohteil wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller core radius</source>
+        <translation>einen kleineren Kernradius wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller depth or a longer tool</source>
+        <translation>eine kleinere Tiefe oder ein längeres Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller tool, or the one that cut before</source>
+        <translation>ein kleineres Werkzeug wählen, oder das, das vorher fräste</translation>
+    </message>
+    <message>
+        <source>choose another format or other tools</source>
+        <translation>ein anderes Format oder andere Werkzeuge wählen</translation>
+    </message>
+    <message>
+        <source>choose another machine or tool, turn the part, or place it elsewhere on the machine</source>
+        <translation>eine andere Maschine oder ein anderes Werkzeug wählen, das Teil drehen oder anders auf die Maschine setzen</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>choose another part</source>
+        <translation>ein anderes Teil wählen</translation>
+    </message>
+    <message>
+        <source>choose another post</source>
+        <translation>einen anderen Postprozessor wählen</translation>
+    </message>
+    <message>
+        <source>choose another program number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose at most the diameter</source>
+        <translation>höchstens den Durchmesser wählen</translation>
+    </message>
+    <message>
+        <source>choose some of its objects</source>
+        <translation>einige ihrer Objekte wählen</translation>
+    </message>
+    <message>
+        <source>choose the machine that it runs on</source>
+        <translation>die Maschine wählen, auf der es läuft</translation>
+    </message>
+    <message>
+        <source>chuck and tailstock keep the tool from {1} of the part's length, which stays uncut</source>
+        <translation>Futter und Reitstock halten das Werkzeug von {1} der Länge des Teils ab, die stehen bleibt</translation>
+    </message>
+    <message>
+        <source>chuck and tailstock leave no room for the tool between them</source>
+        <translation>Futter und Reitstock lassen dem Werkzeug keinen Platz dazwischen</translation>
+    </message>
+    <message>
+        <source>chuck or tailstock keep the cutter from the part</source>
+        <translation>Futter oder Reitstock halten den Fräser vom Teil ab</translation>
+    </message>
+    <message>
+        <source>clearance and chord tolerance must be above 0, the link distance at least 0</source>
+        <translation>Sicherheitsabstand und Sehnentoleranz müssen über 0 sein, der Verbindungsabstand mindestens 0</translation>
+    </message>
+    <message>
+        <source>click into a hole, on a boss, or on the flat face beside a hole</source>
+        <translation>in ein Loch, auf einen Zapfen oder auf die ebene Fläche neben einem Loch klicken</translation>
+    </message>
+    <message>
+        <source>close it, or use a box or cylinder</source>
+        <translation>es schließen, oder Quader oder Zylinder nehmen</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>andere Programme schließen</translation>
+    </message>
+    <message>
+        <source>cm2</source>
+        <translation>cm2</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Berührpunkt</translation>
+    </message>
+    <message>
+        <source>content {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy it again as binary (FTP: type binary; Git: mark *.stl as binary)</source>
+        <translation>sie binär neu kopieren (FTP: type binary; Git: *.stl als binary)</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>sie neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>copy or save it again</source>
+        <translation>sie neu kopieren oder speichern</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>correct e and f, or enter 0 for both</source>
+        <translation>e und f berichtigen, oder für beide 0 eingeben</translation>
+    </message>
+    <message>
+        <source>correct r, e and f, or give the diameter at which bottom and side line meet</source>
+        <translation>r, e und f berichtigen, oder den Durchmesser angeben, bei dem sich Stirn- und Seitenlinie treffen</translation>
+    </message>
+    <message>
+        <source>correct shank and holder</source>
+        <translation>Schaft und Halter berichtigen</translation>
+    </message>
+    <message>
+        <source>correct the operation's settings</source>
+        <translation>die Einstellungen der Operation berichtigen</translation>
+    </message>
+    <message>
+        <source>correct the program</source>
+        <translation>das Programm berichtigen</translation>
+    </message>
+    <message>
+        <source>correct the stock's place and size</source>
+        <translation>Größe und Lage des Rohteils berichtigen</translation>
+    </message>
+    <message>
+        <source>correct the table</source>
+        <translation>die Tabelle berichtigen</translation>
+    </message>
+    <message>
+        <source>correct them in the part's settings</source>
+        <translation>sie in den Einstellungen des Teils berichtigen</translation>
+    </message>
+    <message>
+        <source>counter bore</source>
+        <translation>Flachsenker</translation>
+    </message>
+    <message>
+        <source>counter sink</source>
+        <translation>Kegelsenker</translation>
+    </message>
+    <message>
+        <source>crossings</source>
+        <translation>Überschneidungen</translation>
+    </message>
+    <message>
+        <source>cubic B-spline</source>
+        <translation>kubischer B-Spline</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>cusps of </source>
+        <translation>Rillen von </translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>cut them with the part held another way</source>
+        <translation>sie mit anders gehaltenem Teil fräsen</translation>
+    </message>
+    <message>
+        <source>cut: closes the section with facets in the plane.</source>
+        <translation>Schnitt: schließt die Schnittfläche mit Facetten in der Ebene.</translation>
+    </message>
+    <message>
+        <source>cut: the plane's direction; what lies on this side of it goes.</source>
+        <translation>Schnitt: die Richtung der Ebene; was auf dieser Seite liegt, fällt weg.</translation>
+    </message>
+    <message>
+        <source>cut: the plane's distance from the file's origin along the normal.</source>
+        <translation>Schnitt: der Abstand der Ebene vom Ursprung der Datei entlang der Normalen.</translation>
+    </message>
+    <message>
+        <source>cuts nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter '{1}'</source>
+        <translation>Fräser '{1}'</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>decimate</source>
+        <translation>Ausdünnen</translation>
+    </message>
+    <message>
+        <source>decimate: ends when this share of the facets is left. 0 goes as far as the bound allows.</source>
+        <translation>Ausdünnen: endet, wenn dieser Anteil der Facetten übrig ist. 0 geht so weit, wie die Schranke erlaubt.</translation>
+    </message>
+    <message>
+        <source>did you mean '{1}'?</source>
+        <translation>ist '{1}' gemeint?</translation>
+    </message>
+    <message>
+        <source>direction has no meaning for a part that turns: see pattern</source>
+        <translation>direction hat bei einem drehenden Teil keine Bedeutung: siehe pattern</translation>
+    </message>
+    <message>
+        <source>dragged point</source>
+        <translation>gezogener Punkt</translation>
+    </message>
+    <message>
+        <source>dragged points</source>
+        <translation>gezogene Punkte</translation>
+    </message>
+    <message>
+        <source>draw the curve on the part, or list its corners</source>
+        <translation>die Kurve auf das Teil zeichnen oder ihre Ecken auflisten</translation>
+    </message>
+    <message>
+        <source>each</source>
+        <translation>je eines</translation>
+    </message>
+    <message>
+        <source>edited region</source>
+        <translation>geänderter Bereich</translation>
+    </message>
+    <message>
+        <source>edited regions</source>
+        <translation>geänderte Bereiche</translation>
+    </message>
+    <message>
+        <source>elements are nested too deeply</source>
+        <translation>Elemente sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>enter 0 or more</source>
+        <translation>0 oder mehr eingeben</translation>
+    </message>
+    <message>
+        <source>enter a length above 0</source>
+        <translation>eine Länge über 0 eingeben</translation>
+    </message>
+    <message>
+        <source>enter a length above 0, or let it follow from the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enter a number</source>
+        <translation>eine Zahl eingeben</translation>
+    </message>
+    <message>
+        <source>enter a number, or something like 25.4/2 or 1/4 in</source>
+        <translation>eine Zahl eingeben, oder etwas wie 25,4/2 oder 1/4 in</translation>
+    </message>
+    <message>
+        <source>enter a positive diameter</source>
+        <translation>einen positiven Durchmesser eingeben</translation>
+    </message>
+    <message>
+        <source>enter a positive height</source>
+        <translation>eine positive Höhe eingeben</translation>
+    </message>
+    <message>
+        <source>enter a positive length</source>
+        <translation>eine positive Länge eingeben</translation>
+    </message>
+    <message>
+        <source>enter a positive radius</source>
+        <translation>einen positiven Radius eingeben</translation>
+    </message>
+    <message>
+        <source>enter a smaller height or taper angle</source>
+        <translation>eine kleinere Höhe oder einen kleineren Flankenwinkel eingeben</translation>
+    </message>
+    <message>
+        <source>enter a smaller length</source>
+        <translation>eine kleinere Länge eingeben</translation>
+    </message>
+    <message>
+        <source>enter a smaller shank diameter or a larger holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enter an angle above 0</source>
+        <translation>einen Winkel über 0 eingeben</translation>
+    </message>
+    <message>
+        <source>every contact point needs its curves</source>
+        <translation>jeder Berührpunkt braucht seine Krümmungen</translation>
+    </message>
+    <message>
+        <source>everywhere on the path the cutter would be below the bottom of the stock</source>
+        <translation>überall auf dem Weg wäre der Fräser unter dem Boden des Rohteils</translation>
+    </message>
+    <message>
+        <source>excess {1}</source>
+        <translation>Überstand {1}</translation>
+    </message>
+    <message>
+        <source>expected a whole number</source>
+        <translation>eine ganze Zahl erwartet</translation>
+    </message>
+    <message>
+        <source>expected {1}</source>
+        <translation>erwartet: {1}</translation>
+    </message>
+    <message>
+        <source>export it again, without compression</source>
+        <translation>ohne Kompression neu exportieren</translation>
+    </message>
+    <message>
+        <source>export it as a plain mesh</source>
+        <translation>als einfaches Netz exportieren</translation>
+    </message>
+    <message>
+        <source>export it in micron, millimeter, centimeter, inch or meter</source>
+        <translation>in micron, millimeter, centimeter, inch oder meter exportieren</translation>
+    </message>
+    <message>
+        <source>export it in one unit</source>
+        <translation>in einer Einheit exportieren</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>sie neu exportieren oder kopieren</translation>
+    </message>
+    <message>
+        <source>export the library anew</source>
+        <translation>die Bibliothek neu exportieren</translation>
+    </message>
+    <message>
+        <source>export the part again</source>
+        <translation>das Teil neu exportieren</translation>
+    </message>
+    <message>
+        <source>export the part again, or as STL</source>
+        <translation>das Teil neu exportieren, oder als STL</translation>
+    </message>
+    <message>
+        <source>export the part again, without</source>
+        <translation>das Teil ohne das neu exportieren</translation>
+    </message>
+    <message>
+        <source>export the part as STL</source>
+        <translation>das Teil als STL exportieren</translation>
+    </message>
+    <message>
+        <source>export the part as solids or surfaces, not as curves or a mesh</source>
+        <translation>das Teil als Körper oder Flächen exportieren, nicht als Kurven oder Netz</translation>
+    </message>
+    <message>
+        <source>export the part as triangles</source>
+        <translation>das Teil als Dreiecke exportieren</translation>
+    </message>
+    <message>
+        <source>export the part as {1}</source>
+        <translation>das Teil als {1} exportieren</translation>
+    </message>
+    <message>
+        <source>export the part nearer to its origin, and check its unit</source>
+        <translation>das Teil näher am Ursprung exportieren und die Einheit prüfen</translation>
+    </message>
+    <message>
+        <source>export the part with a coarser tolerance</source>
+        <translation>das Teil mit gröberer Toleranz exportieren</translation>
+    </message>
+    <message>
+        <source>export the part with decimal points</source>
+        <translation>das Teil mit Dezimalpunkten exportieren</translation>
+    </message>
+    <message>
+        <source>face mill</source>
+        <translation>Planfräser</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>facet or endsolid</source>
+        <translation>facet oder endsolid</translation>
+    </message>
+    <message>
+        <source>facet {1}</source>
+        <translation>Facette {1}</translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>false: the region is not cut.</source>
+        <translation>Aus: der Bereich wird nicht gefräst.</translation>
+    </message>
+    <message>
+        <source>fewer than four poles</source>
+        <translation>weniger als vier Pole</translation>
+    </message>
+    <message>
+        <source>fill gaps of the picture with a height</source>
+        <translation>Lücken des Bildes mit einer Höhe füllen</translation>
+    </message>
+    <message>
+        <source>fill it flat, or leave it with a smaller size</source>
+        <translation>flach füllen oder mit kleinerer Größe offen lassen</translation>
+    </message>
+    <message>
+        <source>fins</source>
+        <translation>Lappen</translation>
+    </message>
+    <message>
+        <source>fixture '{1}'</source>
+        <translation>Spannmittel '{1}'</translation>
+    </message>
+    <message>
+        <source>fixture's mesh</source>
+        <translation>Netz des Spannmittels</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>flat end mill</source>
+        <translation>Schaftfräser</translation>
+    </message>
+    <message>
+        <source>flutes of {1} instead of {2}</source>
+        <translation>Schneiden von {1} statt {2}</translation>
+    </message>
+    <message>
+        <source>free some memory</source>
+        <translation>Speicher freimachen</translation>
+    </message>
+    <message>
+        <source>free some room</source>
+        <translation>Platz schaffen</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from setup '{1}': </source>
+        <translation>von Aufspannung '{1}': </translation>
+    </message>
+    <message>
+        <source>from tolerance</source>
+        <translation>aus der Toleranz</translation>
+    </message>
+    <message>
+        <source>from {1}° to {2}° is no range of postures</source>
+        <translation>von {1}° bis {2}° ist kein Bereich von Stellungen</translation>
+    </message>
+    <message>
+        <source>give a .png file</source>
+        <translation>eine .png-Datei angeben</translation>
+    </message>
+    <message>
+        <source>give a closed mesh, or a box or cylinder</source>
+        <translation>ein geschlossenes Netz, einen Quader oder Zylinder angeben</translation>
+    </message>
+    <message>
+        <source>give a direction from the tip to the spindle, upright is 0, 0, 1</source>
+        <translation>eine Richtung von der Spitze zur Spindel angeben, senkrecht ist 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>give a length</source>
+        <translation>eine Länge angeben</translation>
+    </message>
+    <message>
+        <source>give a library of milling tools</source>
+        <translation>eine Bibliothek von Fräswerkzeugen angeben</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to {1}</source>
+        <translation>eine Zahl von 0 bis {1} angeben</translation>
+    </message>
+    <message>
+        <source>give a part</source>
+        <translation>ein Teil angeben</translation>
+    </message>
+    <message>
+        <source>give a place in the region</source>
+        <translation>eine Stelle im Bereich angeben</translation>
+    </message>
+    <message>
+        <source>give a positive length</source>
+        <translation>eine positive Länge angeben</translation>
+    </message>
+    <message>
+        <source>give a solid, or use a box or cylinder</source>
+        <translation>einen Körper angeben, oder Quader oder Zylinder nehmen</translation>
+    </message>
+    <message>
+        <source>give a whole number of at least 3</source>
+        <translation>eine ganze Zahl von mindestens 3 angeben</translation>
+    </message>
+    <message>
+        <source>give at least four poles</source>
+        <translation>mindestens vier Pole angeben</translation>
+    </message>
+    <message>
+        <source>give at least two each way</source>
+        <translation>mindestens zwei je Richtung angeben</translation>
+    </message>
+    <message>
+        <source>give each tool a number of its own</source>
+        <translation>jedem Werkzeug eine eigene Nummer geben</translation>
+    </message>
+    <message>
+        <source>give every boundary its own name</source>
+        <translation>jeder Begrenzung einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>give every fixture its own name</source>
+        <translation>jedem Spannmittel einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>give every operation its own name</source>
+        <translation>jeder Operation einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>give every setup its own name</source>
+        <translation>jeder Aufspannung einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>give every tool its own number</source>
+        <translation>jedem Werkzeug eine eigene Nummer geben</translation>
+    </message>
+    <message>
+        <source>give it a name</source>
+        <translation>ihm einen Namen geben</translation>
+    </message>
+    <message>
+        <source>give it a smaller limit</source>
+        <translation>ihm eine kleinere Grenze geben</translation>
+    </message>
+    <message>
+        <source>give it a stock of its own before</source>
+        <translation>ihr vorher ein eigenes Rohteil geben</translation>
+    </message>
+    <message>
+        <source>give it {1}</source>
+        <translation>ihm {1} geben</translation>
+    </message>
+    <message>
+        <source>give its length and its diameter</source>
+        <translation>Länge und Durchmesser angeben</translation>
+    </message>
+    <message>
+        <source>give numbers that no other setup has, from {1}</source>
+        <translation>Nummern geben, die keine andere Aufspannung hat, ab {1}</translation>
+    </message>
+    <message>
+        <source>give one for each vertex, or none</source>
+        <translation>für jeden Eckpunkt einen angeben, oder keinen</translation>
+    </message>
+    <message>
+        <source>give one of Facetmill, Fusion, CAMotics or Kiri:Moto</source>
+        <translation>eine von Facetmill, Fusion, CAMotics oder Kiri:Moto angeben</translation>
+    </message>
+    <message>
+        <source>give radii and heights that rise</source>
+        <translation>Radien und steigende Höhen angeben</translation>
+    </message>
+    <message>
+        <source>give size, facets, area or keep</source>
+        <translation>size, facets, area oder keep angeben</translation>
+    </message>
+    <message>
+        <source>give the boundary a name</source>
+        <translation>der Begrenzung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>give the boundary another tool first</source>
+        <translation>der Begrenzung zuerst ein anderes Werkzeug geben</translation>
+    </message>
+    <message>
+        <source>give the boundary's place</source>
+        <translation>die Stelle der Begrenzung angeben</translation>
+    </message>
+    <message>
+        <source>give the file another name</source>
+        <translation>der Datei einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>give the fixture a name</source>
+        <translation>dem Spannmittel einen Namen geben</translation>
+    </message>
+    <message>
+        <source>give the height that cuts</source>
+        <translation>die schneidende Höhe angeben</translation>
+    </message>
+    <message>
+        <source>give the holder's profile</source>
+        <translation>das Profil des Halters angeben</translation>
+    </message>
+    <message>
+        <source>give the inclination</source>
+        <translation>die Neigung angeben</translation>
+    </message>
+    <message>
+        <source>give the length from tip to spindle nose</source>
+        <translation>die Länge von der Spitze zur Spindelnase angeben</translation>
+    </message>
+    <message>
+        <source>give the library's tools</source>
+        <translation>die Werkzeuge der Bibliothek angeben</translation>
+    </message>
+    <message>
+        <source>give the number of a tool</source>
+        <translation>die Nummer eines Werkzeugs angeben</translation>
+    </message>
+    <message>
+        <source>give the number of the previous tool</source>
+        <translation>die Nummer des vorherigen Werkzeugs angeben</translation>
+    </message>
+    <message>
+        <source>give the operation a name</source>
+        <translation>der Operation einen Namen geben</translation>
+    </message>
+    <message>
+        <source>give the operation another tool first</source>
+        <translation>der Operation zuerst ein anderes Werkzeug geben</translation>
+    </message>
+    <message>
+        <source>give the place it moves to</source>
+        <translation>die Stelle angeben, wohin sie geht</translation>
+    </message>
+    <message>
+        <source>give the place on the part</source>
+        <translation>die Stelle auf dem Teil angeben</translation>
+    </message>
+    <message>
+        <source>give the right to write there</source>
+        <translation>Schreibrecht dort geben</translation>
+    </message>
+    <message>
+        <source>give the section's diameter</source>
+        <translation>den Durchmesser des Abschnitts angeben</translation>
+    </message>
+    <message>
+        <source>give the section's length</source>
+        <translation>die Länge des Abschnitts angeben</translation>
+    </message>
+    <message>
+        <source>give the setup a name</source>
+        <translation>der Aufspannung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>give the setup a stock of its own, or use larger tools before it</source>
+        <translation>der Aufspannung ein eigenes Rohteil geben oder vorher größere Werkzeuge verwenden</translation>
+    </message>
+    <message>
+        <source>give the stock a margin</source>
+        <translation>dem Rohteil eine Zugabe geben</translation>
+    </message>
+    <message>
+        <source>give the stock of the first setup as box, cylinder or mesh</source>
+        <translation>das Rohteil der ersten Aufspannung als Quader, Zylinder oder Netz angeben</translation>
+    </message>
+    <message>
+        <source>give the tool a number</source>
+        <translation>dem Werkzeug eine Nummer geben</translation>
+    </message>
+    <message>
+        <source>give the tool a smaller number</source>
+        <translation>dem Werkzeug eine kleinere Nummer geben</translation>
+    </message>
+    <message>
+        <source>give the tool's diameter</source>
+        <translation>den Durchmesser des Werkzeugs angeben</translation>
+    </message>
+    <message>
+        <source>give the yaw</source>
+        <translation>den Taumelwinkel angeben</translation>
+    </message>
+    <message>
+        <source>give two angles between {1}° and {2}°, the smaller first</source>
+        <translation>zwei Winkel zwischen {1}° und {2}° angeben, den kleineren zuerst</translation>
+    </message>
+    <message>
+        <source>give two points of the axis</source>
+        <translation>zwei Punkte der Achse angeben</translation>
+    </message>
+    <message>
+        <source>give two to four sections at increasing, equally spaced X</source>
+        <translation>zwei bis vier Schnitte mit steigendem X in gleichen Abständen angeben</translation>
+    </message>
+    <message>
+        <source>global</source>
+        <translation>global</translation>
+    </message>
+    <message>
+        <source>gouge of {1}</source>
+        <translation>Verletzung von {1}</translation>
+    </message>
+    <message>
+        <source>grblHAL</source>
+        <translation>grblHAL</translation>
+    </message>
+    <message>
+        <source>has a corner that is not finite or out of range</source>
+        <translation>hat eine Ecke, die nicht endlich oder außerhalb des Bereichs ist</translation>
+    </message>
+    <message>
+        <source>has feeds of some motions only</source>
+        <translation>hat nur für einige Bewegungen Vorschübe</translation>
+    </message>
+    <message>
+        <source>has more facets than can be drawn</source>
+        <translation>hat mehr Facetten, als gezeichnet werden können</translation>
+    </message>
+    <message>
+        <source>has more facets than the contact index can hold</source>
+        <translation>hat mehr Facetten, als der Kontaktindex fasst</translation>
+    </message>
+    <message>
+        <source>has more points than can be drawn</source>
+        <translation>hat mehr Punkte, als gezeichnet werden können</translation>
+    </message>
+    <message>
+        <source>has no positive radius and length</source>
+        <translation>hat keinen positiven Radius und keine positive Länge</translation>
+    </message>
+    <message>
+        <source>has no volume</source>
+        <translation>hat kein Volumen</translation>
+    </message>
+    <message>
+        <source>has too many sections</source>
+        <translation>hat zu viele Abschnitte</translation>
+    </message>
+    <message>
+        <source>have it packed again</source>
+        <translation>es neu packen lassen</translation>
+    </message>
+    <message>
+        <source>have it packed and sent again</source>
+        <translation>es neu packen und schicken lassen</translation>
+    </message>
+    <message>
+        <source>have it packed without a password</source>
+        <translation>ohne Kennwort packen lassen</translation>
+    </message>
+    <message>
+        <source>have one project packed, or unpack the archive by other means</source>
+        <translation>ein einziges Projekt packen lassen oder das Archiv anders entpacken</translation>
+    </message>
+    <message>
+        <source>have the project packed again, with all its files</source>
+        <translation>das Projekt mit allen Dateien neu packen lassen</translation>
+    </message>
+    <message>
+        <source>have the project packed with the files themselves</source>
+        <translation>das Projekt mit den Dateien selbst packen lassen</translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation>Wendel</translation>
+    </message>
+    <message>
+        <source>hold less of the stock, or take a smaller tool or clearance</source>
+        <translation>weniger vom Rohteil halten, oder Werkzeug oder Abstand kleiner nehmen</translation>
+    </message>
+    <message>
+        <source>holder '{1}'</source>
+        <translation>Halter '{1}'</translation>
+    </message>
+    <message>
+        <source>holder '{1}' is left out: this format has none</source>
+        <translation>Halter '{1}' fällt weg: dieses Format kennt keine</translation>
+    </message>
+    <message>
+        <source>holder '{1}' is left out: write it as .fcholder</source>
+        <translation>Halter '{1}' fällt weg: als .fcholder schreiben</translation>
+    </message>
+    <message>
+        <source>holder {1}</source>
+        <translation>Halter {1}</translation>
+    </message>
+    <message>
+        <source>holds no tool</source>
+        <translation>enthält kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>holds no tool that can be used: {1}</source>
+        <translation>enthält kein verwendbares Werkzeug: {1}</translation>
+    </message>
+    <message>
+        <source>holds no {1}</source>
+        <translation>enthält nichts: {1}</translation>
+    </message>
+    <message>
+        <source>holds two projects: {1} and {2}</source>
+        <translation>enthält zwei Projekte: {1} und {2}</translation>
+    </message>
+    <message>
+        <source>holds {1} files, more than {2}</source>
+        <translation>enthält {1} Dateien, mehr als {2}</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>holes: smooth goes on as the surface around bends; flat takes the least area.</source>
+        <translation>Löcher: glatt setzt die Krümmung der Fläche ringsum fort; flach nimmt am wenigsten Fläche.</translation>
+    </message>
+    <message>
+        <source>in a file of version 2 every setup has its own</source>
+        <translation>in einer Datei der Version 2 hat jede Aufspannung ihre eigenen</translation>
+    </message>
+    <message>
+        <source>in places more stays than the layers leave on slopes ({1}): up to {2} above the allowance, most at {3}</source>
+        <translation>stellenweise bleibt mehr, als die Ebenen auf Schrägen lassen ({1}): bis zu {2} über dem Aufmaß, am meisten bei {3}</translation>
+    </message>
+    <message>
+        <source>install Facetmill again</source>
+        <translation>Facetmill neu installieren</translation>
+    </message>
+    <message>
+        <source>install Facetmill and {1} of the same version</source>
+        <translation>Facetmill und {1} derselben Version installieren</translation>
+    </message>
+    <message>
+        <source>install all of Facetmill</source>
+        <translation>ganz Facetmill installieren</translation>
+    </message>
+    <message>
+        <source>install all of Facetmill, or build it with OpenCASCADE; or export the part as STL</source>
+        <translation>ganz Facetmill installieren oder mit OpenCASCADE bauen; oder das Teil als STL exportieren</translation>
+    </message>
+    <message>
+        <source>is a file that the job reads</source>
+        <translation>ist eine Datei, die der Auftrag liest</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a link or no plain file</source>
+        <translation>ist eine Verknüpfung oder keine einfache Datei</translation>
+    </message>
+    <message>
+        <source>is a tool library of a newer Facetmill</source>
+        <translation>ist eine Werkzeugbibliothek eines neueren Facetmill</translation>
+    </message>
+    <message>
+        <source>is an archive without a project</source>
+        <translation>ist ein Archiv ohne Projekt</translation>
+    </message>
+    <message>
+        <source>is an archive, but no 3MF: it has no relationships</source>
+        <translation>ist ein Archiv, aber kein 3MF: es hat keine Beziehungen</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>is more than {1} bytes with those before it, unpacked</source>
+        <translation>ist mit denen davor entpackt mehr als {1} Bytes</translation>
+    </message>
+    <message>
+        <source>is needed by a step of kind {1}</source>
+        <translation>ein Schritt der Art {1} braucht es</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>ist negativ</translation>
+    </message>
+    <message>
+        <source>is no TIFF picture that can be read: {1}</source>
+        <translation>ist kein lesbares TIFF-Bild: {1}</translation>
+    </message>
+    <message>
+        <source>is no outline of a holder</source>
+        <translation>ist kein Umriss eines Halters</translation>
+    </message>
+    <message>
+        <source>is no packed project</source>
+        <translation>ist kein gepacktes Projekt</translation>
+    </message>
+    <message>
+        <source>is no parameter of a turning part</source>
+        <translation>ist kein Parameter eines drehenden Teils</translation>
+    </message>
+    <message>
+        <source>is no sound PNG picture: {1}</source>
+        <translation>ist kein heiles PNG-Bild: {1}</translation>
+    </message>
+    <message>
+        <source>is no sound XML: {1}</source>
+        <translation>ist kein heiles XML: {1}</translation>
+    </message>
+    <message>
+        <source>is no sound archive: {1}</source>
+        <translation>ist kein heiles Archiv: {1}</translation>
+    </message>
+    <message>
+        <source>is no tool library by its name</source>
+        <translation>ist dem Namen nach keine Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>is no tool library that this program knows</source>
+        <translation>ist keine Werkzeugbibliothek, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>is not a 3MF file</source>
+        <translation>ist keine 3MF-Datei</translation>
+    </message>
+    <message>
+        <source>is not a 3MF file but {1}</source>
+        <translation>ist keine 3MF-Datei, sondern {1}</translation>
+    </message>
+    <message>
+        <source>is not a PLY file: it does not start with 'ply'</source>
+        <translation>ist keine PLY-Datei: sie beginnt nicht mit 'ply'</translation>
+    </message>
+    <message>
+        <source>is not a PNG picture</source>
+        <translation>ist kein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>is not a PNG picture but {1}</source>
+        <translation>ist kein PNG-Bild, sondern {1}</translation>
+    </message>
+    <message>
+        <source>is not a TIFF picture</source>
+        <translation>ist kein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>is not a TIFF picture but {1}</source>
+        <translation>ist kein TIFF-Bild, sondern {1}</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is not above 0</source>
+        <translation>ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>is not an OBJ file{1}</source>
+        <translation>ist keine OBJ-Datei{1}</translation>
+    </message>
+    <message>
+        <source>is not an STL file but {1}</source>
+        <translation>ist keine STL-Datei, sondern {1}</translation>
+    </message>
+    <message>
+        <source>is there already, and is another file</source>
+        <translation>gibt es schon und ist eine andere Datei</translation>
+    </message>
+    <message>
+        <source>is too large for a project</source>
+        <translation>ist für ein Projekt zu groß</translation>
+    </message>
+    <message>
+        <source>is {1}</source>
+        <translation>ist {1}</translation>
+    </message>
+    <message>
+        <source>it cannot be judged: {1}</source>
+        <translation>nicht beurteilbar: {1}</translation>
+    </message>
+    <message>
+        <source>it cannot be locked</source>
+        <translation>sie kann nicht gesperrt werden</translation>
+    </message>
+    <message>
+        <source>it cannot be started: </source>
+        <translation>es kann nicht gestartet werden: </translation>
+    </message>
+    <message>
+        <source>it cannot be started: {1}</source>
+        <translation>es kann nicht gestartet werden: {1}</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>es kann nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>it cannot be written as a number</source>
+        <translation>es kann nicht als Zahl geschrieben werden</translation>
+    </message>
+    <message>
+        <source>it divides by 0</source>
+        <translation>es wird durch 0 geteilt</translation>
+    </message>
+    <message>
+        <source>it does not fit into memory</source>
+        <translation>es passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>it does not fit into the {1} MB of memory that reading it may take</source>
+        <translation>es passt nicht in die {1} MB Speicher, die das Lesen belegen darf</translation>
+    </message>
+    <message>
+        <source>it does not meet the stock of {1}: they are {2} apart as the part lies in both</source>
+        <translation>es trifft nicht auf das Rohteil von {1}: sie sind {2} auseinander, wie das Teil in beiden liegt</translation>
+    </message>
+    <message>
+        <source>it ends where a number is missing</source>
+        <translation>es endet, wo eine Zahl fehlt</translation>
+    </message>
+    <message>
+        <source>it faces down; turn the part over and cut it in another setup</source>
+        <translation>sie zeigt nach unten; das Teil wenden und in einer weiteren Aufspannung fräsen</translation>
+    </message>
+    <message>
+        <source>it goes on with what the setup before it leaves, and would be the first</source>
+        <translation>sie macht mit dem weiter, was die vorherige lässt, und wäre die erste</translation>
+    </message>
+    <message>
+        <source>it has no value</source>
+        <translation>das hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>it holds no solid and no surface</source>
+        <translation>sie enthält keinen Körper und keine Fläche</translation>
+    </message>
+    <message>
+        <source>it is alike in all directions and has no principal axes</source>
+        <translation>es ist in allen Richtungen gleich und hat keine Hauptachsen</translation>
+    </message>
+    <message>
+        <source>it is larger than it says</source>
+        <translation>es ist größer, als es sagt</translation>
+    </message>
+    <message>
+        <source>it is not as it was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not {1}</source>
+        <translation>es ist nicht {1}</translation>
+    </message>
+    <message>
+        <source>it is smaller than it says</source>
+        <translation>es ist kleiner, als es sagt</translation>
+    </message>
+    <message>
+        <source>it is switched off</source>
+        <translation>sie ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>it is {1}, not {2}</source>
+        <translation>es ist {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>it leaves more than the tolerance</source>
+        <translation>sie lässt mehr als die Toleranz</translation>
+    </message>
+    <message>
+        <source>it names faces, and the part's file has none: only STEP and IGES files do</source>
+        <translation>sie nennt Flächen, und die Datei des Teils hat keine: nur STEP- und IGES-Dateien haben welche</translation>
+    </message>
+    <message>
+        <source>it stands upright: no turn about Z lays it along X</source>
+        <translation>sie steht aufrecht: keine Drehung um Z legt sie entlang X</translation>
+    </message>
+    <message>
+        <source>it takes more than {1} facets at this chord tolerance</source>
+        <translation>es braucht bei dieser Sehnentoleranz mehr als {1} Facetten</translation>
+    </message>
+    <message>
+        <source>it turns the other way, which is not carried</source>
+        <translation>es dreht andersherum, was nicht übernommen wird</translation>
+    </message>
+    <message>
+        <source>it was painted on a part of {1} facets, and this one has {2}</source>
+        <translation>sie wurde auf einem Teil mit {1} Facetten gemalt, und dieses hat {2}</translation>
+    </message>
+    <message>
+        <source>it was written meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its attributes cannot be read</source>
+        <translation>die Attribute sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>its holder is narrower than its shank, and taken as wide</source>
+        <translation>der Halter ist schmaler als der Schaft und wird so breit genommen</translation>
+    </message>
+    <message>
+        <source>its neck is taken as wide as the widest of the shank</source>
+        <translation>der Hals gilt als so breit wie die breiteste Stelle des Schafts</translation>
+    </message>
+    <message>
+        <source>its numbers have a sign, or are no numbers</source>
+        <translation>die Zahlen haben ein Vorzeichen oder sind keine</translation>
+    </message>
+    <message>
+        <source>its objects, put together, have more than 50 million facets or a million parts</source>
+        <translation>die Objekte haben zusammen mehr als 50 Millionen Facetten oder eine Million Teile</translation>
+    </message>
+    <message>
+        <source>its pieces are planned beside different things</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its point is taken for one of 119°</source>
+        <translation>die Spitze gilt als eine von 119°</translation>
+    </message>
+    <message>
+        <source>its points lie on a line: there is no face to lie on</source>
+        <translation>seine Punkte liegen auf einer Geraden: es gibt keine Fläche zum Auflegen</translation>
+    </message>
+    <message>
+        <source>its programs have the numbers {1} to {2}, and those of setup '{3}' {4} to {5}</source>
+        <translation>ihre Programme haben die Nummern {1} bis {2}, und die von Aufspannung '{3}' {4} bis {5}</translation>
+    </message>
+    <message>
+        <source>its regions ask for more than {1} facets</source>
+        <translation>die Bereiche verlangen mehr als {1} Facetten</translation>
+    </message>
+    <message>
+        <source>its surface has more than {1} facets</source>
+        <translation>seine Fläche hat mehr als {1} Facetten</translation>
+    </message>
+    <message>
+        <source>its tool is not in the project any more</source>
+        <translation>ihr Werkzeug ist nicht mehr im Projekt</translation>
+    </message>
+    <message>
+        <source>its {1} strips would take more than {2} points of passes</source>
+        <translation>ihre {1} Streifen bräuchten mehr als {2} Punkte von Bahnen</translation>
+    </message>
+    <message>
+        <source>join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>join: the file of the scan that is joined on, in the unit and the coordinates of this one.</source>
+        <translation>Verbinden: die Datei des Scans, der angefügt wird, in Einheit und Koordinaten von diesem.</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>einen davon behalten</translation>
+    </message>
+    <message>
+        <source>kept posture</source>
+        <translation>festgehaltene Stellung</translation>
+    </message>
+    <message>
+        <source>kept postures</source>
+        <translation>festgehaltene Stellungen</translation>
+    </message>
+    <message>
+        <source>known keys: {1}</source>
+        <translation>bekannte Schlüssel: {1}</translation>
+    </message>
+    <message>
+        <source>known {1}s: {2}; a name that ends with .json is a file of your own</source>
+        <translation>bekannt ({1}): {2}; ein Name, der auf .json endet, ist eine eigene Datei</translation>
+    </message>
+    <message>
+        <source>lay it on a face, or turn it by an angle</source>
+        <translation>es auf eine Fläche legen oder um einen Winkel drehen</translation>
+    </message>
+    <message>
+        <source>lay the scans on each other first, or allow more</source>
+        <translation>die Scans zuerst aufeinander legen oder mehr erlauben</translation>
+    </message>
+    <message>
+        <source>layers of {1} are deeper than the flutes of the tool, {2}</source>
+        <translation>Ebenen von {1} sind tiefer als die Schneiden des Werkzeugs, {2}</translation>
+    </message>
+    <message>
+        <source>leave `wcs` out</source>
+        <translation>`wcs` weglassen</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>sie weglassen</translation>
+    </message>
+    <message>
+        <source>leave the operation out</source>
+        <translation>die Operation weglassen</translation>
+    </message>
+    <message>
+        <source>leave the operation out, or allow a smaller tolerance</source>
+        <translation>die Operation weglassen oder eine kleinere Toleranz erlauben</translation>
+    </message>
+    <message>
+        <source>leave the operation out, or cut everywhere (rest_only)</source>
+        <translation>die Operation weglassen oder überall fräsen (rest_only)</translation>
+    </message>
+    <message>
+        <source>leave the tool axis upright (0, 0, 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave the tool axis upright (0, 0, 1), or set the tilt limit to 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave them out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave this operation out, or check what those before it cut</source>
+        <translation>diese Operation weglassen oder prüfen, was die davor fräsen</translation>
+    </message>
+    <message>
+        <source>left by the main path</source>
+        <translation>vom Hauptweg gelassen</translation>
+    </message>
+    <message>
+        <source>left out: '{1}' is no cutter that this program knows</source>
+        <translation>weggelassen: '{1}' ist kein Fräser, den dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>left out: its geometry makes no cutter</source>
+        <translation>weggelassen: die Geometrie ergibt keinen Fräser</translation>
+    </message>
+    <message>
+        <source>left out: its holder has sizes that none can have</source>
+        <translation>weggelassen: der Halter hat unmögliche Maße</translation>
+    </message>
+    <message>
+        <source>left out: the table has no diameter</source>
+        <translation>weggelassen: die Tabelle hat keinen Durchmesser</translation>
+    </message>
+    <message>
+        <source>left out: this format has no '{1}'</source>
+        <translation>weggelassen: dieses Format kennt '{1}' nicht</translation>
+    </message>
+    <message>
+        <source>left out: {1}</source>
+        <translation>weggelassen: {1}</translation>
+    </message>
+    <message>
+        <source>lengthwise</source>
+        <translation>Längslinien</translation>
+    </message>
+    <message>
+        <source>let the name end in .stl, .3mf or .ply</source>
+        <translation>den Namen auf .stl, .3mf oder .ply enden lassen</translation>
+    </message>
+    <message>
+        <source>let the operation name another boundary, or none, first</source>
+        <translation>die Operation zuerst eine andere oder keine Begrenzung nennen lassen</translation>
+    </message>
+    <message>
+        <source>list at least one setup</source>
+        <translation>mindestens eine Aufspannung auflisten</translation>
+    </message>
+    <message>
+        <source>list the steps</source>
+        <translation>die Schritte auflisten</translation>
+    </message>
+    <message>
+        <source>local</source>
+        <translation>lokal</translation>
+    </message>
+    <message>
+        <source>lofted surface</source>
+        <translation>geloftete Fläche</translation>
+    </message>
+    <message>
+        <source>look across it, as along 0, 0, 1</source>
+        <translation>quer dazu blicken, etwa entlang 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>lower it, or raise the assumed lead limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the feed</source>
+        <translation>den Vorschub senken</translation>
+    </message>
+    <message>
+        <source>machine '{1}' does not hold {2} of {3} motions as planned: </source>
+        <translation>Maschine '{1}' hält {2} von {3} Bewegungen nicht wie geplant: </translation>
+    </message>
+    <message>
+        <source>machine '{1}' has no table that turns the part about this axis: choose one such as 'lathe-mill', or turn the part into its axis</source>
+        <translation>Maschine '{1}' hat keinen Tisch, der das Teil um diese Achse dreht: eine wie 'lathe-mill' wählen oder das Teil in ihre Achse drehen</translation>
+    </message>
+    <message>
+        <source>make it smaller</source>
+        <translation>es verkleinern</translation>
+    </message>
+    <message>
+        <source>make it smaller in a picture editor</source>
+        <translation>es in einem Bildprogramm verkleinern</translation>
+    </message>
+    <message>
+        <source>make one, or leave the name empty</source>
+        <translation>eine anlegen oder den Namen leer lassen</translation>
+    </message>
+    <message>
+        <source>make room or give the right to write there</source>
+        <translation>Platz schaffen oder Schreibrecht dort geben</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>Werkstoffe</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>meshes are not written as {1} files</source>
+        <translation>Netze werden nicht als {1}-Dateien geschrieben</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>middle height</source>
+        <translation>mittlere Höhe</translation>
+    </message>
+    <message>
+        <source>middle of</source>
+        <translation>Mitte von</translation>
+    </message>
+    <message>
+        <source>mirror the part itself, which all setups have</source>
+        <translation>das Teil selbst spiegeln, das alle Aufspannungen haben</translation>
+    </message>
+    <message>
+        <source>missing closing quote</source>
+        <translation>das schließende Anführungszeichen fehlt</translation>
+    </message>
+    <message>
+        <source>modulo</source>
+        <translation>modulo</translation>
+    </message>
+    <message>
+        <source>more than twice the tolerance stays on {1} of the surface near the part's open borders, where paths may end</source>
+        <translation>mehr als die doppelte Toleranz bleibt auf {1} der Fläche nahe den offenen Rändern des Teils, wo Wege enden dürfen</translation>
+    </message>
+    <message>
+        <source>more than {1} layers are asked for</source>
+        <translation>verlangt sind mehr als {1} Ebenen</translation>
+    </message>
+    <message>
+        <source>more than {1} lines a layer are asked for</source>
+        <translation>verlangt sind mehr als {1} Linien je Ebene</translation>
+    </message>
+    <message>
+        <source>motion {1}: </source>
+        <translation>Bewegung {1}: </translation>
+    </message>
+    <message>
+        <source>move the part onto the axis, let the axis go through the part's middle, or give two points of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part, or change the operation's limits</source>
+        <translation>das Teil verschieben oder die Grenzen der Operation ändern</translation>
+    </message>
+    <message>
+        <source>move the part, or choose a shorter tool</source>
+        <translation>das Teil verschieben oder ein kürzeres Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>move what is in the way, make it smaller, or give it less clearance</source>
+        <translation>wegrücken, was im Weg ist, verkleinern oder ihm weniger Abstand geben</translation>
+    </message>
+    <message>
+        <source>name a .facetmill or a .json file</source>
+        <translation>eine .facetmill- oder .json-Datei nennen</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>eine Datei darin nennen</translation>
+    </message>
+    <message>
+        <source>name a file on disk</source>
+        <translation>eine Datei auf der Platte nennen</translation>
+    </message>
+    <message>
+        <source>name a file that `facetmill-cli pack` has written</source>
+        <translation>eine Datei nennen, die `facetmill-cli pack` geschrieben hat</translation>
+    </message>
+    <message>
+        <source>name a file that `facetmill-cli pack` or File &gt; Save packed copy has written</source>
+        <translation>eine Datei nennen, die `facetmill-cli pack` oder Datei &gt; Gepackte Kopie speichern geschrieben hat</translation>
+    </message>
+    <message>
+        <source>name a folder that exists or can be made</source>
+        <translation>einen Ordner nennen, den es gibt oder der angelegt werden kann</translation>
+    </message>
+    <message>
+        <source>name a larger tool</source>
+        <translation>ein größeres Werkzeug nennen</translation>
+    </message>
+    <message>
+        <source>name a larger tool or a smaller thickness</source>
+        <translation>ein größeres Werkzeug oder eine kleinere Dicke nennen</translation>
+    </message>
+    <message>
+        <source>name a positive length</source>
+        <translation>eine positive Länge nennen</translation>
+    </message>
+    <message>
+        <source>name a tool of the project</source>
+        <translation>ein Werkzeug des Projekts nennen</translation>
+    </message>
+    <message>
+        <source>name an {1} file</source>
+        <translation>eine Datei nennen: {1}</translation>
+    </message>
+    <message>
+        <source>name faces of the part's file</source>
+        <translation>Flächen der Datei des Teils nennen</translation>
+    </message>
+    <message>
+        <source>name its objects: {1}</source>
+        <translation>die Objekte nennen: {1}</translation>
+    </message>
+    <message>
+        <source>name the fixture's mesh file</source>
+        <translation>die Netzdatei des Spannmittels nennen</translation>
+    </message>
+    <message>
+        <source>name the kind of operation</source>
+        <translation>die Art der Operation nennen</translation>
+    </message>
+    <message>
+        <source>name the other scan's file</source>
+        <translation>die Datei des anderen Scans nennen</translation>
+    </message>
+    <message>
+        <source>name the part's file</source>
+        <translation>die Datei des Teils nennen</translation>
+    </message>
+    <message>
+        <source>name the stock's mesh file</source>
+        <translation>die Netzdatei des Rohteils nennen</translation>
+    </message>
+    <message>
+        <source>name the tool</source>
+        <translation>das Werkzeug nennen</translation>
+    </message>
+    <message>
+        <source>name the tool, or write a .fctl library</source>
+        <translation>das Werkzeug nennen oder eine .fctl-Bibliothek schreiben</translation>
+    </message>
+    <message>
+        <source>names a vertex that does not exist</source>
+        <translation>nennt einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>names a vertex that the mesh has not</source>
+        <translation>nennt einen Eckpunkt, den das Netz nicht hat</translation>
+    </message>
+    <message>
+        <source>names more than one 3D model</source>
+        <translation>nennt mehr als ein 3D-Modell</translation>
+    </message>
+    <message>
+        <source>names no 3D model</source>
+        <translation>nennt kein 3D-Modell</translation>
+    </message>
+    <message>
+        <source>names, separated by commas</source>
+        <translation>Namen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>Nadeln</translation>
+    </message>
+    <message>
+        <source>needles, smooth, decimate: no place of the surface moves farther. join: nor does the other scan, which is laid on this one; 0: it stays where it is.</source>
+        <translation>Nadeln, glatt, Ausdünnen: keine Stelle der Fläche bewegt sich weiter. Verbinden: auch nicht der andere Scan, der auf diesen gelegt wird; 0: er bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>needs a lead of up to {1}, allowed are {2}</source>
+        <translation>braucht einen Anstellwinkel bis {1}, erlaubt sind {2}</translation>
+    </message>
+    <message>
+        <source>no contact point has a free posture with a lead of at most {1}</source>
+        <translation>kein Berührpunkt hat eine freie Stellung mit einem Anstellwinkel von höchstens {1}</translation>
+    </message>
+    <message>
+        <source>no depth leaves what is allowed</source>
+        <translation>keine Tiefe lässt nur, was erlaubt ist</translation>
+    </message>
+    <message>
+        <source>no drive plane meets the part</source>
+        <translation>keine Führungsebene trifft das Teil</translation>
+    </message>
+    <message>
+        <source>no face has three corners</source>
+        <translation>keine Fläche hat drei Ecken</translation>
+    </message>
+    <message>
+        <source>no facet of the part can be cut {1}: all {2} stand upright or have no area</source>
+        <translation>keine Facette des Teils kann {1} gefräst werden: alle {2} stehen aufrecht oder haben keine Fläche</translation>
+    </message>
+    <message>
+        <source>no file can be called so</source>
+        <translation>so kann keine Datei heißen</translation>
+    </message>
+    <message>
+        <source>no file can be locked there</source>
+        <translation>dort kann keine Datei gesperrt werden</translation>
+    </message>
+    <message>
+        <source>no layer lies lower than {1}, where stock or part end, and over {2} of the part, seen {3}, the tool would have to be lower: up to {4} stays above the allowance, most at {5}: take a tool that is flatter at its end, or leave it to what comes after</source>
+        <translation>keine Ebene liegt tiefer als {1}, wo Rohteil oder Teil enden, und über {2} des Teils, {3} gesehen, müsste das Werkzeug tiefer sein: bis zu {4} bleibt über dem Aufmaß, am meisten bei {5}: ein an der Stirn flacheres Werkzeug nehmen oder es dem Späteren überlassen</translation>
+    </message>
+    <message>
+        <source>no lead up to {1} is free</source>
+        <translation>kein Anstellwinkel bis {1} ist frei</translation>
+    </message>
+    <message>
+        <source>no lines of this tool leave as little as {1}</source>
+        <translation>keine Linien dieses Werkzeugs lassen so wenig wie {1}</translation>
+    </message>
+    <message>
+        <source>no motion at feed comes near the stock</source>
+        <translation>keine Bewegung im Vorschub kommt dem Rohteil nahe</translation>
+    </message>
+    <message>
+        <source>no operation before it cuts with tool {1}, its previous tool: what that would have cut stays</source>
+        <translation>keine Operation davor fräst mit Werkzeug {1}, ihrem vorherigen Werkzeug: was das gefräst hätte, bleibt stehen</translation>
+    </message>
+    <message>
+        <source>no operation was planned</source>
+        <translation>keine Operation wurde geplant</translation>
+    </message>
+    <message>
+        <source>no pass lies within it</source>
+        <translation>keine Bahn liegt darin</translation>
+    </message>
+    <message>
+        <source>no pass meets the stock</source>
+        <translation>keine Bahn trifft das Rohteil</translation>
+    </message>
+    <message>
+        <source>no place needs a lead above {1}: the main path cuts all of the part, there is nothing to rework</source>
+        <translation>keine Stelle braucht einen Anstellwinkel über {1}: der Hauptweg fräst das ganze Teil, es gibt nichts nachzuarbeiten</translation>
+    </message>
+    <message>
+        <source>no place of the part can be come to</source>
+        <translation>keine Stelle des Teils ist erreichbar</translation>
+    </message>
+    <message>
+        <source>no place of the part can be come to from above</source>
+        <translation>keine Stelle des Teils ist von oben erreichbar</translation>
+    </message>
+    <message>
+        <source>no setup comes before the first, so there is no rest of its stock</source>
+        <translation>vor der ersten kommt keine Aufspannung, also gibt es keinen Rest ihres Rohteils</translation>
+    </message>
+    <message>
+        <source>no stream</source>
+        <translation>kein Datenstrom</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>keine solche Datei</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made: {1}</source>
+        <translation>kein temporärer Ordner kann angelegt werden: {1}</translation>
+    </message>
+    <message>
+        <source>no tool axis sees it</source>
+        <translation>keine Werkzeugachse sieht sie</translation>
+    </message>
+    <message>
+        <source>no tool fits</source>
+        <translation>kein Werkzeug passt</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>nobody has said which tool leaves it</source>
+        <translation>niemand hat gesagt, welches Werkzeug ihn lässt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none of its surfaces could be tessellated</source>
+        <translation>keine ihrer Flächen konnte vernetzt werden</translation>
+    </message>
+    <message>
+        <source>none of the {1} facets has an area</source>
+        <translation>keine der {1} Facetten hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>none of {1} contact points has a free posture</source>
+        <translation>keiner von {1} Berührpunkten hat eine freie Stellung</translation>
+    </message>
+    <message>
+        <source>normals turn by more than the limit</source>
+        <translation>Normalen drehen sich um mehr als die Grenze</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>not valid JSON near '{1}'</source>
+        <translation>kein gültiges JSON bei '{1}'</translation>
+    </message>
+    <message>
+        <source>nothing follows the header</source>
+        <translation>dem Kopf folgt nichts</translation>
+    </message>
+    <message>
+        <source>nothing is cut</source>
+        <translation>nichts wird gefräst</translation>
+    </message>
+    <message>
+        <source>nothing lies on the file's build plate</source>
+        <translation>auf der Bauplatte der Datei liegt nichts</translation>
+    </message>
+    <message>
+        <source>nothing of it is left by {1}</source>
+        <translation>nichts davon lässt {1}</translation>
+    </message>
+    <message>
+        <source>nothing of the part holds the tool on its way to the axis</source>
+        <translation>nichts am Teil hält das Werkzeug auf seinem Weg zur Achse auf</translation>
+    </message>
+    <message>
+        <source>nothing of the part lies in it</source>
+        <translation>nichts vom Teil liegt darin</translation>
+    </message>
+    <message>
+        <source>nothing of the part lies so far within it that the cutter has room</source>
+        <translation>nichts vom Teil liegt so weit darin, dass der Fräser Platz hat</translation>
+    </message>
+    <message>
+        <source>nothing of the stock stands above the part and the allowance of {1}</source>
+        <translation>vom Rohteil steht nichts über dem Teil und dem Aufmaß von {1}</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>nowhere is the part's outline straight and free enough</source>
+        <translation>nirgends ist der Umriss des Teils gerade und frei genug</translation>
+    </message>
+    <message>
+        <source>nowhere more than the tolerance stands of the stock</source>
+        <translation>nirgends steht vom Rohteil mehr als die Toleranz</translation>
+    </message>
+    <message>
+        <source>nowhere on the part, away from its open borders, is what the programs leave held against the tolerance</source>
+        <translation>nirgends am Teil, abseits offener Ränder, wird an der Toleranz gemessen, was die Programme lassen</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>object {1}</source>
+        <translation>Objekt {1}</translation>
+    </message>
+    <message>
+        <source>objects and lists are nested too deep</source>
+        <translation>Objekte und Listen sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>objects are put together too deeply, or hold themselves: {1}</source>
+        <translation>Objekte sind zu tief zusammengesetzt oder enthalten sich selbst: {1}</translation>
+    </message>
+    <message>
+        <source>objects there are: {1}</source>
+        <translation>vorhandene Objekte: {1}</translation>
+    </message>
+    <message>
+        <source>of the largest speed</source>
+        <translation>der größten Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>of what stands above the allowance this tool reaches nothing</source>
+        <translation>von dem, was über dem Aufmaß steht, erreicht dieses Werkzeug nichts</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eines</translation>
+    </message>
+    <message>
+        <source>one of: {1}</source>
+        <translation>eines von: {1}</translation>
+    </message>
+    <message>
+        <source>oneway</source>
+        <translation>einseitig</translation>
+    </message>
+    <message>
+        <source>open the file itself, under a name that ends as its format does</source>
+        <translation>die Datei selbst öffnen, unter einem Namen, der wie ihr Format endet</translation>
+    </message>
+    <message>
+        <source>open the mesh itself, under a name that ends as its format does</source>
+        <translation>das Netz selbst öffnen, unter einem Namen, der wie sein Format endet</translation>
+    </message>
+    <message>
+        <source>operation '{1}'</source>
+        <translation>Operation '{1}'</translation>
+    </message>
+    <message>
+        <source>operation '{1}' cuts within it</source>
+        <translation>Operation '{1}' fräst darin</translation>
+    </message>
+    <message>
+        <source>operation '{1}' has a feed of {2} mm/min, and the machine goes {3} at most</source>
+        <translation>Operation '{1}' hat einen Vorschub von {2} mm/min, und die Maschine fährt höchstens {3}</translation>
+    </message>
+    <message>
+        <source>operation '{1}' has tool {2}, and the control numbers them to {3}</source>
+        <translation>Operation '{1}' hat Werkzeug {2}, und die Steuerung zählt sie bis {3}</translation>
+    </message>
+    <message>
+        <source>operation '{1}' inclines the tool, and the control has three axes</source>
+        <translation>Operation '{1}' neigt das Werkzeug, und die Steuerung hat drei Achsen</translation>
+    </message>
+    <message>
+        <source>operation '{1}' keeps off it</source>
+        <translation>Operation '{1}' meidet sie</translation>
+    </message>
+    <message>
+        <source>operation '{1}' turns the part, and the control has no inverse time feed</source>
+        <translation>Operation '{1}' dreht das Teil, und die Steuerung hat keinen zeitreziproken Vorschub</translation>
+    </message>
+    <message>
+        <source>operation '{1}' uses this tool</source>
+        <translation>Operation '{1}' verwendet dieses Werkzeug</translation>
+    </message>
+    <message>
+        <source>operation '{1}', motion {2}: the machine would have to rewind its rotary axes while it cuts, and there is no room to</source>
+        <translation>Operation '{1}', Bewegung {2}: die Maschine müsste ihre Drehachsen beim Fräsen zurückdrehen, und dafür ist kein Platz</translation>
+    </message>
+    <message>
+        <source>operation '{1}', {2}</source>
+        <translation>Operation '{1}', {2}</translation>
+    </message>
+    <message>
+        <source>operation '{1}': {2} would go from {3} to {4} of the machine, and its travel ends before</source>
+        <translation>Operation '{1}': {2} ginge von {3} bis {4} der Maschine, und der Verfahrweg endet vorher</translation>
+    </message>
+    <message>
+        <source>operations there are: {1}</source>
+        <translation>vorhandene Operationen: {1}</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>other postures would be free than this way of choosing tries: choose them by global</source>
+        <translation>andere Stellungen wären frei als die, die diese Wahl versucht: sie global wählen</translation>
+    </message>
+    <message>
+        <source>outer loop</source>
+        <translation>outer loop</translation>
+    </message>
+    <message>
+        <source>paint facets, widen it, or move it onto the part</source>
+        <translation>Facetten malen, sie erweitern oder auf das Teil schieben</translation>
+    </message>
+    <message>
+        <source>paint it anew</source>
+        <translation>neu malen</translation>
+    </message>
+    <message>
+        <source>paint the boundary anew</source>
+        <translation>die Begrenzung neu malen</translation>
+    </message>
+    <message>
+        <source>paint the boundary, or take the part from such a file</source>
+        <translation>die Begrenzung malen oder das Teil aus einer solchen Datei nehmen</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>part.repair[{1}].file</source>
+        <translation>part.repair[{1}].file</translation>
+    </message>
+    <message>
+        <source>passes are up to {1} below the stock's outside, the flutes are {2} long: use a longer tool</source>
+        <translation>Bahnen liegen bis zu {1} unter der Außenseite des Rohteils, die Schneiden sind {2} lang: ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>pick another edge, or lay the part first</source>
+        <translation>eine andere Kante wählen oder das Teil zuerst hinlegen</translation>
+    </message>
+    <message>
+        <source>pick points of one side</source>
+        <translation>Punkte einer Seite wählen</translation>
+    </message>
+    <message>
+        <source>pick three points that are farther apart</source>
+        <translation>drei weiter entfernte Punkte wählen</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>pieces: only so many with the largest areas stay.</source>
+        <translation>Stücke: nur so viele mit den größten Flächen bleiben.</translation>
+    </message>
+    <message>
+        <source>pieces: those whose box has a smaller diagonal go. holes: those of at most this diameter are filled, 0: all. crossings: as holes. fins: as pieces. join: how far two scans of one surface may lie apart, 0: three mean edges.</source>
+        <translation>Stücke: die mit kleinerer Quaderdiagonale fallen weg. Löcher: die von höchstens diesem Durchmesser werden gefüllt, 0: alle. Überschneidungen: wie Löcher. Lappen: wie Stücke. Verbinden: wie weit zwei Scans einer Fläche auseinander liegen dürfen, 0: drei mittlere Kanten.</translation>
+    </message>
+    <message>
+        <source>pieces: those with fewer facets go. decimate: ends when so few are left.</source>
+        <translation>Stücke: die mit weniger Facetten fallen weg. Ausdünnen: endet, wenn so wenige übrig sind.</translation>
+    </message>
+    <message>
+        <source>pieces: those with less area go.</source>
+        <translation>Stücke: die mit weniger Fläche fallen weg.</translation>
+    </message>
+    <message>
+        <source>places lie under the part itself, seen along the tool</source>
+        <translation>Stellen liegen in Werkzeugrichtung unter dem Teil selbst</translation>
+    </message>
+    <message>
+        <source>places looked at are {1} apart, and a cutter has a radius of {2}: ask for a resolution and a spacing of at most {3}</source>
+        <translation>untersuchte Stellen sind {1} auseinander, und ein Fräser hat den Radius {2}: Auflösung und Abstand von höchstens {3} verlangen</translation>
+    </message>
+    <message>
+        <source>places uncut</source>
+        <translation>Stellen stehen</translation>
+    </message>
+    <message>
+        <source>plan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan again; report the project</source>
+        <translation>neu planen; das Projekt melden</translation>
+    </message>
+    <message>
+        <source>plan an operation first</source>
+        <translation>zuerst eine Operation planen</translation>
+    </message>
+    <message>
+        <source>plan at least one</source>
+        <translation>mindestens eine planen</translation>
+    </message>
+    <message>
+        <source>plan it again</source>
+        <translation>neu planen</translation>
+    </message>
+    <message>
+        <source>plan the setups before this one</source>
+        <translation>die Aufspannungen davor planen</translation>
+    </message>
+    <message>
+        <source>plunge</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>points into the part</source>
+        <translation>zeigt in das Teil</translation>
+    </message>
+    <message>
+        <source>post '{1}'</source>
+        <translation>Postprozessor '{1}'</translation>
+    </message>
+    <message>
+        <source>preset {1}</source>
+        <translation>Voreinstellung {1}</translation>
+    </message>
+    <message>
+        <source>program '{1}'</source>
+        <translation>Programm '{1}'</translation>
+    </message>
+    <message>
+        <source>put it into one of "setups"</source>
+        <translation>es in eine der "setups" setzen</translation>
+    </message>
+    <message>
+        <source>put it there, or name another one in the project</source>
+        <translation>sie dorthin legen oder im Projekt eine andere nennen</translation>
+    </message>
+    <message>
+        <source>put the zero elsewhere, or mend the file</source>
+        <translation>den Nullpunkt anderswohin setzen oder die Datei in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>raise the feed, or the feed's decimals in the post</source>
+        <translation>den Vorschub oder seine Dezimalen im Postprozessor erhöhen</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>reading stopped before the end of the file</source>
+        <translation>das Lesen endete vor dem Ende der Datei</translation>
+    </message>
+    <message>
+        <source>rectangular</source>
+        <translation>rechteckig</translation>
+    </message>
+    <message>
+        <source>reduce the mesh</source>
+        <translation>das Netz verkleinern</translation>
+    </message>
+    <message>
+        <source>remove its operations instead</source>
+        <translation>stattdessen ihre Operationen entfernen</translation>
+    </message>
+    <message>
+        <source>rename an operation, a setup or the part's file</source>
+        <translation>eine Operation, eine Aufspannung oder die Datei des Teils umbenennen</translation>
+    </message>
+    <message>
+        <source>rename or export it again</source>
+        <translation>umbenennen oder neu exportieren</translation>
+    </message>
+    <message>
+        <source>rename the file or the item</source>
+        <translation>die Datei oder den Eintrag umbenennen</translation>
+    </message>
+    <message>
+        <source>report the part</source>
+        <translation>das Teil melden</translation>
+    </message>
+    <message>
+        <source>report this</source>
+        <translation>das melden</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>rework: {1}</source>
+        <translation>Nacharbeit: {1}</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>rotate the part</source>
+        <translation>das Teil drehen</translation>
+    </message>
+    <message>
+        <source>rough before it, or use flutes that are {1} longer</source>
+        <translation>vorher schruppen oder um {1} längere Schneiden nehmen</translation>
+    </message>
+    <message>
+        <source>rough with a tool whose taper angle is 0 or more</source>
+        <translation>mit einem Werkzeug schruppen, dessen Flankenwinkel 0 oder mehr ist</translation>
+    </message>
+    <message>
+        <source>roughing with a tool that is narrower above its end leaves material hanging over it</source>
+        <translation>Schruppen mit einem Werkzeug, das über der Stirn schmaler ist, lässt überhängendes Material</translation>
+    </message>
+    <message>
+        <source>sample surface</source>
+        <translation>Beispielfläche</translation>
+    </message>
+    <message>
+        <source>save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)</source>
+        <translation>ihn als ASCII oder UTF-8 speichern (PowerShell: Out-File -Encoding ascii)</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>sie als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>save it as one channel of grey: 8 or 16 bits without a sign, or 32-bit floats</source>
+        <translation>als einen Graukanal speichern: 8 oder 16 Bit ohne Vorzeichen, oder 32-Bit-Fließkomma</translation>
+    </message>
+    <message>
+        <source>save it in strips or smaller tiles</source>
+        <translation>in Streifen oder kleineren Kacheln speichern</translation>
+    </message>
+    <message>
+        <source>save it with 8 bits a channel</source>
+        <translation>mit 8 Bit je Kanal speichern</translation>
+    </message>
+    <message>
+        <source>save it without interlacing</source>
+        <translation>ohne Interlacing speichern</translation>
+    </message>
+    <message>
+        <source>save the file as UTF-8</source>
+        <translation>die Datei als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>save the picture as PNG, 8 or 16 bits of grey</source>
+        <translation>das Bild als PNG speichern, 8 oder 16 Bit Grau</translation>
+    </message>
+    <message>
+        <source>save the picture as TIFF, 16 bits of grey</source>
+        <translation>das Bild als TIFF speichern, 16 Bit Grau</translation>
+    </message>
+    <message>
+        <source>say how far the surface may move</source>
+        <translation>sagen, wie weit sich die Fläche bewegen darf</translation>
+    </message>
+    <message>
+        <source>say how large a place may be made anew</source>
+        <translation>sagen, wie groß eine Stelle sein darf, die neu gemacht wird</translation>
+    </message>
+    <message>
+        <source>say how large a sheet may be that goes</source>
+        <translation>sagen, wie groß ein Blech sein darf, das wegfällt</translation>
+    </message>
+    <message>
+        <source>say how thick the sheet becomes</source>
+        <translation>sagen, wie dick das Blech wird</translation>
+    </message>
+    <message>
+        <source>say the plane's direction</source>
+        <translation>die Richtung der Ebene nennen</translation>
+    </message>
+    <message>
+        <source>say what the step does</source>
+        <translation>sagen, was der Schritt tut</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>send the files as they are</source>
+        <translation>die Dateien schicken, wie sie sind</translation>
+    </message>
+    <message>
+        <source>set the {1}</source>
+        <translation>setzen: {1}</translation>
+    </message>
+    <message>
+        <source>setup '{1}'</source>
+        <translation>Aufspannung '{1}'</translation>
+    </message>
+    <message>
+        <source>setups there are: {1}</source>
+        <translation>vorhandene Aufspannungen: {1}</translation>
+    </message>
+    <message>
+        <source>shank or holder come into the stock, as operations with the upright tool leave it, along {1} of {2} of cuts, as far as passes before them have not cleared it: rough there first, or use longer flutes</source>
+        <translation>Schaft oder Halter kommen in das Rohteil, wie Operationen mit senkrechtem Werkzeug es lassen, entlang {1} von {2} der Schnitte, soweit Bahnen davor es nicht abgetragen haben: dort zuerst schruppen oder längere Schneiden nehmen</translation>
+    </message>
+    <message>
+        <source>shank or holder keep the cutter from hollows of the part</source>
+        <translation>Schaft oder Halter halten den Fräser von Mulden des Teils ab</translation>
+    </message>
+    <message>
+        <source>shank or holder would come into the part wherever the cutter could cut</source>
+        <translation>Schaft oder Halter kämen in das Teil, wo immer der Fräser fräsen könnte</translation>
+    </message>
+    <message>
+        <source>shank or holder would come into the stock wherever the cutter could cut</source>
+        <translation>Schaft oder Halter kämen in das Rohteil, wo immer der Fräser fräsen könnte</translation>
+    </message>
+    <message>
+        <source>shank or holder would come into what stands of the stock beside {1} of the passes, which are left out: flutes of {2} instead of {3}, or roughing closer, would reach it</source>
+        <translation>Schaft oder Halter kämen in das, was vom Rohteil neben {1} der Bahnen steht, die wegfallen: Schneiden von {2} statt {3} oder genaueres Schruppen kämen hin</translation>
+    </message>
+    <message>
+        <source>shank or holder would hit the stock</source>
+        <translation>Schaft oder Halter träfen das Rohteil</translation>
+    </message>
+    <message>
+        <source>shank or holder would hit the stock: {1} of cuts are left out, the first at {2}: use a longer tool</source>
+        <translation>Schaft oder Halter träfen das Rohteil: {1} an Schnitten fallen weg, der erste bei {2}: ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>shape and lengths are not carried</source>
+        <translation>Form und Längen werden nicht übernommen</translation>
+    </message>
+    <message>
+        <source>shorten the line of the post, or the names in it</source>
+        <translation>die Zeile des Postprozessors oder die Namen darin kürzen</translation>
+    </message>
+    <message>
+        <source>show one that does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silhouette</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>slot mill</source>
+        <translation>Nutfräser</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>smooth: edges that bend by more are features and stay sharp.</source>
+        <translation>glatt: Kanten, die stärker abknicken, sind Merkmale und bleiben scharf.</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>spot drill</source>
+        <translation>NC-Anbohrer</translation>
+    </message>
+    <message>
+        <source>start before the stop, and where the part is</source>
+        <translation>vor dem Ende anfangen, und wo das Teil ist</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>stock's mesh</source>
+        <translation>Netz des Rohteils</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>strips</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>switch it on (off: false)</source>
+        <translation>sie einschalten (off: false)</translation>
+    </message>
+    <message>
+        <source>switch one on, or leave the operation out</source>
+        <translation>einen einschalten oder die Operation weglassen</translation>
+    </message>
+    <message>
+        <source>switched off · {1}</source>
+        <translation>ausgeschaltet · {1}</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>take a smaller tool, or allow it to plunge</source>
+        <translation>ein kleineres Werkzeug nehmen oder ihm senkrechtes Eintauchen erlauben</translation>
+    </message>
+    <message>
+        <source>tapered mill</source>
+        <translation>konischer Fräser</translation>
+    </message>
+    <message>
+        <source>the 3D model has no name</source>
+        <translation>das 3D-Modell hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the 3D model is not in the file</source>
+        <translation>das 3D-Modell ist nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>the PNG picture cannot be read</source>
+        <translation>das PNG-Bild ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>the XML declares a document type or entities</source>
+        <translation>das XML erklärt einen Dokumenttyp oder Entitäten</translation>
+    </message>
+    <message>
+        <source>the XML is no 3MF model: it begins with {1}</source>
+        <translation>das XML ist kein 3MF-Modell: es beginnt mit {1}</translation>
+    </message>
+    <message>
+        <source>the allowance is negative or not a finite number</source>
+        <translation>das Aufmaß ist negativ oder keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the amount is not above 0</source>
+        <translation>der Betrag ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the angle of its point is not carried</source>
+        <translation>der Winkel der Spitze wird nicht übernommen</translation>
+    </message>
+    <message>
+        <source>the attribute {1} is missing</source>
+        <translation>das Attribut {1} fehlt</translation>
+    </message>
+    <message>
+        <source>the ball's radius is not above 0</source>
+        <translation>der Kugelradius ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the block '{1}' is longer than {2} characters</source>
+        <translation>der Satz '{1}' ist länger als {2} Zeichen</translation>
+    </message>
+    <message>
+        <source>the bottom angle is out of range</source>
+        <translation>der Stirnwinkel ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the bottom angle {1} is out of range</source>
+        <translation>der Stirnwinkel {1} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the cells of a stock field are not above 0</source>
+        <translation>die Zellen eines Rohteilfeldes sind nicht über 0</translation>
+    </message>
+    <message>
+        <source>the chord tolerance is not a length above 0</source>
+        <translation>die Sehnentoleranz ist keine Länge über 0</translation>
+    </message>
+    <message>
+        <source>the chord tolerance is so small that the mesh would have more than {1} million facets</source>
+        <translation>die Sehnentoleranz ist so klein, dass das Netz mehr als {1} Millionen Facetten hätte</translation>
+    </message>
+    <message>
+        <source>the coarse grid has too few lines</source>
+        <translation>das grobe Raster hat zu wenige Linien</translation>
+    </message>
+    <message>
+        <source>the control cannot change tools, and the program has several</source>
+        <translation>die Steuerung kann keine Werkzeuge wechseln, und das Programm hat mehrere</translation>
+    </message>
+    <message>
+        <source>the control has no word for the axis {1}</source>
+        <translation>die Steuerung hat kein Wort für die Achse {1}</translation>
+    </message>
+    <message>
+        <source>the control has no work coordinate system '{1}'</source>
+        <translation>die Steuerung hat kein Werkstückkoordinatensystem '{1}'</translation>
+    </message>
+    <message>
+        <source>the coordinate {1} is beyond {2}</source>
+        <translation>die Koordinate {1} ist jenseits von {2}</translation>
+    </message>
+    <message>
+        <source>the coordinate {1} is too large</source>
+        <translation>die Koordinate {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the core radius keeps the cutter from the part</source>
+        <translation>der Kernradius hält den Fräser vom Teil ab</translation>
+    </message>
+    <message>
+        <source>the corner circle of radius {1} about ({2}, {3}) does not round the corner between bottom and side to a convex cutter</source>
+        <translation>der Eckenkreis vom Radius {1} um ({2}, {3}) rundet die Ecke zwischen Stirn und Seite nicht zu einem konvexen Fräser</translation>
+    </message>
+    <message>
+        <source>the corner radius {1} does not fit the diameter {2}</source>
+        <translation>der Eckenradius {1} passt nicht zum Durchmesser {2}</translation>
+    </message>
+    <message>
+        <source>the corner radius {1} is negative</source>
+        <translation>der Eckenradius {1} ist negativ</translation>
+    </message>
+    <message>
+        <source>the count of a list must be an integer</source>
+        <translation>die Anzahl einer Liste muss ganzzahlig sein</translation>
+    </message>
+    <message>
+        <source>the cutter goes {1} below the bottom of the stock, as 'Below the bottom' allows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cutter has no place along {1} of its passes: they are left out there</source>
+        <translation>der Fräser hat entlang {1} seiner Bahnen keinen Platz: dort fallen sie weg</translation>
+    </message>
+    <message>
+        <source>the cutter has room there, and the holder would hit the part by every axis; use a longer tool or a smaller holder</source>
+        <translation>der Fräser hat dort Platz, und der Halter träfe bei jeder Achse das Teil; ein längeres Werkzeug oder einen kleineren Halter nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter has room there, and the shank would hit the part by every axis; use a longer or thinner tool</source>
+        <translation>der Fräser hat dort Platz, und der Schaft träfe bei jeder Achse das Teil; ein längeres oder dünneres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter is too large for hollows of the part</source>
+        <translation>der Fräser ist zu groß für Mulden des Teils</translation>
+    </message>
+    <message>
+        <source>the cutter is too large for hollows of the part: {1} stays uncut by up to {2}, most at {3}: use a smaller tool there</source>
+        <translation>der Fräser ist zu groß für Mulden des Teils: {1} bleiben um bis zu {2} stehen, am meisten bei {3}: dort ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter is too large for the innermost of the strips: up to {1} stays, most at {2}: use a smaller tool there</source>
+        <translation>der Fräser ist zu groß für die innersten Streifen: bis zu {1} bleibt stehen, am meisten bei {2}: dort ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter leaves more than the tolerance: use a smaller step-over or tool</source>
+        <translation>der Fräser lässt mehr als die Toleranz: einen kleineren Bahnabstand oder ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter would cut into the part</source>
+        <translation>der Fräser würde in das Teil schneiden</translation>
+    </message>
+    <message>
+        <source>the cutter's radius {1} is too small</source>
+        <translation>der Fräserradius {1} ist zu klein</translation>
+    </message>
+    <message>
+        <source>the cutter{1} fits, but its shank or holder would touch the part</source>
+        <translation>der Fräser{1} passt, aber Schaft oder Halter würden das Teil berühren</translation>
+    </message>
+    <message>
+        <source>the depth of cut asks for more than {1} passes</source>
+        <translation>die Schnitttiefe verlangt mehr als {1} Bahnen</translation>
+    </message>
+    <message>
+        <source>the depth of cut of {1} is more than the {2} that stand above the part: one pass takes all</source>
+        <translation>die Schnitttiefe von {1} ist mehr als die {2}, die über dem Teil stehen: eine Bahn nimmt alles</translation>
+    </message>
+    <message>
+        <source>the depth of the layers is not above 0</source>
+        <translation>die Tiefe der Ebenen ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the diameter is not above 0</source>
+        <translation>der Durchmesser ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the diameter of what holds the part is 0</source>
+        <translation>der Durchmesser dessen, was das Teil hält, ist 0</translation>
+    </message>
+    <message>
+        <source>the diameter {1} is not above 0</source>
+        <translation>der Durchmesser {1} ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the diameter {1} is too large</source>
+        <translation>der Durchmesser {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the element '{1}' occurs twice</source>
+        <translation>das Element '{1}' kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the element has too many properties</source>
+        <translation>das Element hat zu viele Eigenschaften</translation>
+    </message>
+    <message>
+        <source>the face names vertex {1}, the file has {2} (from 0)</source>
+        <translation>die Fläche nennt Eckpunkt {1}, die Datei hat {2} (ab 0)</translation>
+    </message>
+    <message>
+        <source>the faces have no list vertex_indices of integers</source>
+        <translation>die Flächen haben keine Liste vertex_indices ganzer Zahlen</translation>
+    </message>
+    <message>
+        <source>the facet has more than three corners</source>
+        <translation>die Facette hat mehr als drei Ecken</translation>
+    </message>
+    <message>
+        <source>the facet names vertex {1}, the file has {2}</source>
+        <translation>die Facette nennt Eckpunkt {1}, die Datei hat {2}</translation>
+    </message>
+    <message>
+        <source>the facet names vertex {1}, {2} are known so far</source>
+        <translation>die Facette nennt Eckpunkt {1}, bekannt sind bisher {2}</translation>
+    </message>
+    <message>
+        <source>the facets cannot be written: {1}</source>
+        <translation>die Facetten können nicht geschrieben werden: {1}</translation>
+    </message>
+    <message>
+        <source>the file ends here</source>
+        <translation>die Datei endet hier</translation>
+    </message>
+    <message>
+        <source>the file ends in these elements</source>
+        <translation>die Datei endet in diesen Elementen</translation>
+    </message>
+    <message>
+        <source>the file ends inside a facet</source>
+        <translation>die Datei endet in einer Facette</translation>
+    </message>
+    <message>
+        <source>the file ends inside a list of {1}</source>
+        <translation>die Datei endet in einer Liste von {1}</translation>
+    </message>
+    <message>
+        <source>the file ends inside a number</source>
+        <translation>die Datei endet in einer Zahl</translation>
+    </message>
+    <message>
+        <source>the file ends inside the header</source>
+        <translation>die Datei endet im Kopf</translation>
+    </message>
+    <message>
+        <source>the file ends inside the word facet</source>
+        <translation>die Datei endet im Wort facet</translation>
+    </message>
+    <message>
+        <source>the file ends too early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file ends within a value</source>
+        <translation>die Datei endet in einem Wert</translation>
+    </message>
+    <message>
+        <source>the file has more than 4 thousand million elements</source>
+        <translation>die Datei hat mehr als 4 Milliarden Elemente</translation>
+    </message>
+    <message>
+        <source>the file has more than 4 thousand million vertices</source>
+        <translation>die Datei hat mehr als 4 Milliarden Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the file has version {1}, this program reads up to {2}</source>
+        <translation>die Datei hat Version {1}, dieses Programm liest bis {2}</translation>
+    </message>
+    <message>
+        <source>the file has {1} bytes, a binary STL file at least 84</source>
+        <translation>die Datei hat {1} Bytes, eine binäre STL-Datei mindestens 84</translation>
+    </message>
+    <message>
+        <source>the file holds no face</source>
+        <translation>die Datei enthält keine Fläche</translation>
+    </message>
+    <message>
+        <source>the file holds no facet</source>
+        <translation>die Datei enthält keine Facette</translation>
+    </message>
+    <message>
+        <source>the file holds no mesh</source>
+        <translation>die Datei enthält kein Netz</translation>
+    </message>
+    <message>
+        <source>the file holds no vertices</source>
+        <translation>die Datei enthält keine Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the file holds points but no face</source>
+        <translation>die Datei enthält Punkte, aber keine Fläche</translation>
+    </message>
+    <message>
+        <source>the file is damaged or in another unit</source>
+        <translation>die Datei ist beschädigt oder in einer anderen Einheit</translation>
+    </message>
+    <message>
+        <source>the file is damaged or is not STL: export it again</source>
+        <translation>die Datei ist beschädigt oder kein STL: neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file is damaged or of another kind: export it again</source>
+        <translation>die Datei ist beschädigt oder anderer Art: neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file is damaged: export it again</source>
+        <translation>die Datei ist beschädigt: neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file is not UTF-8 text (UTF-16 or binary)</source>
+        <translation>die Datei ist kein UTF-8-Text (UTF-16 oder binär)</translation>
+    </message>
+    <message>
+        <source>the file is too large for a project or a machine</source>
+        <translation>die Datei ist für ein Projekt oder eine Maschine zu groß</translation>
+    </message>
+    <message>
+        <source>the file was cut: copy or export it again</source>
+        <translation>die Datei wurde abgeschnitten: neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the first must be below the second</source>
+        <translation>die erste muss unter der zweiten liegen</translation>
+    </message>
+    <message>
+        <source>the fixture</source>
+        <translation>das Spannmittel</translation>
+    </message>
+    <message>
+        <source>the fixtures</source>
+        <translation>die Spannmittel</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: {1}</source>
+        <translation>der Ordner kann nicht angelegt werden: {1}</translation>
+    </message>
+    <message>
+        <source>the format is not known</source>
+        <translation>das Format ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the free postures are too far from those of the neighbours: allow a larger turn limit</source>
+        <translation>die freien Stellungen sind zu weit von denen der Nachbarn: eine größere Drehgrenze erlauben</translation>
+    </message>
+    <message>
+        <source>the gouge limit is {1}, and a cutter has a radius of {2}: allow at most {3}</source>
+        <translation>die Grenze der Verletzung ist {1}, und ein Fräser hat den Radius {2}: höchstens {3} erlauben</translation>
+    </message>
+    <message>
+        <source>the half angle {1} is out of range</source>
+        <translation>der halbe Winkel {1} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the header</source>
+        <translation>der Kopf</translation>
+    </message>
+    <message>
+        <source>the header announces {1} facets, the file has bytes for {2}</source>
+        <translation>der Kopf kündigt {1} Facetten an, die Datei hat Bytes für {2}</translation>
+    </message>
+    <message>
+        <source>the header announces {1} of '{2}', more than the file has bytes for</source>
+        <translation>der Kopf kündigt {1} von '{2}' an, mehr als die Datei Bytes hat</translation>
+    </message>
+    <message>
+        <source>the header names no format</source>
+        <translation>der Kopf nennt kein Format</translation>
+    </message>
+    <message>
+        <source>the header names too many elements</source>
+        <translation>der Kopf nennt zu viele Elemente</translation>
+    </message>
+    <message>
+        <source>the height {1} is not above 0</source>
+        <translation>die Höhe {1} ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the holder</source>
+        <translation>der Halter</translation>
+    </message>
+    <message>
+        <source>the holder of {1} cannot hold a shank of {2}</source>
+        <translation>der Halter von {1} kann keinen Schaft von {2} halten</translation>
+    </message>
+    <message>
+        <source>the holder would hit the part</source>
+        <translation>der Halter träfe das Teil</translation>
+    </message>
+    <message>
+        <source>the holder would hit the part: use a longer tool or a smaller holder</source>
+        <translation>der Halter träfe das Teil: ein längeres Werkzeug oder einen kleineren Halter nehmen</translation>
+    </message>
+    <message>
+        <source>the job writes it twice</source>
+        <translation>der Auftrag schreibt sie zweimal</translation>
+    </message>
+    <message>
+        <source>the key is missing</source>
+        <translation>der Schlüssel fehlt</translation>
+    </message>
+    <message>
+        <source>the key occurs twice</source>
+        <translation>der Schlüssel kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the lead limit is raised to {1}: that takes about {2}, {3} and rework of {4} {5}</source>
+        <translation>die Grenze wird auf {1} erhöht: das braucht etwa {2}, {3} und die Nacharbeit von {4} {5}</translation>
+    </message>
+    <message>
+        <source>the lead limit {1} is above that of the assumed path, {2}</source>
+        <translation>die Grenze {1} liegt über der des angenommenen Wegs, {2}</translation>
+    </message>
+    <message>
+        <source>the length of the tool is negative or no number</source>
+        <translation>die Länge des Werkzeugs ist negativ oder keine Zahl</translation>
+    </message>
+    <message>
+        <source>the limits {1} are reversed or equal</source>
+        <translation>die Grenzen {1} sind vertauscht oder gleich</translation>
+    </message>
+    <message>
+        <source>the line '{1}': {2}</source>
+        <translation>die Zeile '{1}': {2}</translation>
+    </message>
+    <message>
+        <source>the line END-ISO-10303-21; of a STEP file</source>
+        <translation>die Zeile END-ISO-10303-21; einer STEP-Datei</translation>
+    </message>
+    <message>
+        <source>the list has {1} values</source>
+        <translation>die Liste hat {1} Werte</translation>
+    </message>
+    <message>
+        <source>the list length</source>
+        <translation>die Länge der Liste</translation>
+    </message>
+    <message>
+        <source>the machine's axes do not reach, or the tool would lie down</source>
+        <translation>die Achsen der Maschine reichen nicht, oder das Werkzeug läge</translation>
+    </message>
+    <message>
+        <source>the machine's axes do not reach: turn the part or take another machine</source>
+        <translation>die Achsen der Maschine reichen nicht: das Teil drehen oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the mesh does not fit into memory</source>
+        <translation>das Netz passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>the mesh has {1} facets</source>
+        <translation>das Netz hat {1} Facetten</translation>
+    </message>
+    <message>
+        <source>the mesh has {1} facets, more than {2}</source>
+        <translation>das Netz hat {1} Facetten, mehr als {2}</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed: a line enters it and does not leave</source>
+        <translation>das Netz ist nicht geschlossen: eine Gerade tritt ein und nicht aus</translation>
+    </message>
+    <message>
+        <source>the mesh to write has no facet</source>
+        <translation>das zu schreibende Netz hat keine Facette</translation>
+    </message>
+    <message>
+        <source>the model '{1}' is not in the file</source>
+        <translation>das Modell '{1}' ist nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>the model cannot be read without the extension '{1}'</source>
+        <translation>das Modell ist ohne die Erweiterung '{1}' nicht lesbar</translation>
+    </message>
+    <message>
+        <source>the model's files have different units</source>
+        <translation>die Dateien des Modells haben verschiedene Einheiten</translation>
+    </message>
+    <message>
+        <source>the model's unit is '{1}'</source>
+        <translation>die Einheit des Modells ist '{1}'</translation>
+    </message>
+    <message>
+        <source>the name '{1}' occurs twice</source>
+        <translation>der Name '{1}' kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the name is empty</source>
+        <translation>der Name ist leer</translation>
+    </message>
+    <message>
+        <source>the name occurs twice</source>
+        <translation>der Name kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the number {1} is too large</source>
+        <translation>die Zahl {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the object has too many keys</source>
+        <translation>das Objekt hat zu viele Schlüssel</translation>
+    </message>
+    <message>
+        <source>the object {1} occurs twice</source>
+        <translation>das Objekt {1} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the object's mesh is a coarse stand-in for its slices</source>
+        <translation>das Netz des Objekts ist ein grober Ersatz für seine Schichten</translation>
+    </message>
+    <message>
+        <source>the offset of {1} is larger than the part, which is {2} by {3}</source>
+        <translation>der Versatz von {1} ist größer als das Teil von {2} mal {3}</translation>
+    </message>
+    <message>
+        <source>the one that begins at ({1}, {2}, {3}) mm would take more than {4} points of passes</source>
+        <translation>der bei ({1}, {2}, {3}) mm beginnt, bräuchte mehr als {4} Punkte von Bahnen</translation>
+    </message>
+    <message>
+        <source>the operation has no preview of layers</source>
+        <translation>die Operation hat keine Vorschau der Ebenen</translation>
+    </message>
+    <message>
+        <source>the operation has no rework regions</source>
+        <translation>die Operation hat keine Nacharbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>the operation tilts the tool as it goes and keeps no axis</source>
+        <translation>die Operation neigt das Werkzeug unterwegs und behält keine Achse</translation>
+    </message>
+    <message>
+        <source>the operations before leave nothing of it</source>
+        <translation>die Operationen davor lassen nichts davon</translation>
+    </message>
+    <message>
+        <source>the operations before leave {1}</source>
+        <translation>die Operationen davor lassen {1}</translation>
+    </message>
+    <message>
+        <source>the part</source>
+        <translation>das Teil</translation>
+    </message>
+    <message>
+        <source>the part asks for more than {1} places of this tool on a layer</source>
+        <translation>das Teil verlangt mehr als {1} Stellen dieses Werkzeugs auf einer Ebene</translation>
+    </message>
+    <message>
+        <source>the part close to the contact point stands in the cutter's way: use a smaller tool there</source>
+        <translation>das Teil nahe am Berührpunkt ist dem Fräser im Weg: dort ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the part elsewhere stands in the cutter's way: use a smaller or longer tool there, or wider limits</source>
+        <translation>das Teil an anderer Stelle ist dem Fräser im Weg: dort ein kleineres oder längeres Werkzeug nehmen, oder weitere Grenzen</translation>
+    </message>
+    <message>
+        <source>the part has no facets</source>
+        <translation>das Teil hat keine Facetten</translation>
+    </message>
+    <message>
+        <source>the part is in the cutter's way by every axis; use a smaller or longer tool, or turn the part</source>
+        <translation>das Teil ist dem Fräser bei jeder Achse im Weg; ein kleineres oder längeres Werkzeug nehmen oder das Teil drehen</translation>
+    </message>
+    <message>
+        <source>the part is larger along {1}</source>
+        <translation>das Teil ist entlang {1} größer</translation>
+    </message>
+    <message>
+        <source>the part is not there</source>
+        <translation>das Teil ist nicht da</translation>
+    </message>
+    <message>
+        <source>the part reaches {1} above the stock</source>
+        <translation>das Teil ragt {1} über das Rohteil</translation>
+    </message>
+    <message>
+        <source>the part to place has no size</source>
+        <translation>das zu legende Teil hat keine Größe</translation>
+    </message>
+    <message>
+        <source>the part's </source>
+        <translation>Teil: </translation>
+    </message>
+    <message>
+        <source>the part's middle lies {1} off the turning axis: it turns unbalanced, and its stock needs a diameter of {2} about the axis</source>
+        <translation>die Mitte des Teils liegt {1} neben der Drehachse: es dreht sich mit Unwucht, und sein Rohteil braucht einen Durchmesser von {2} um die Achse</translation>
+    </message>
+    <message>
+        <source>the part's origin</source>
+        <translation>der Ursprung des Teils</translation>
+    </message>
+    <message>
+        <source>the passes end where the cutter would go below the bottom of the stock, by up to {1}: {2} of the points are left out unless 'Below the bottom' allows them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passes leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-over or another direction</source>
+        <translation>die Bahnen lassen mehr als erwartet: {1} bleiben um bis zu {2} stehen, am meisten bei {3}: einen kleineren Bahnabstand oder eine andere Richtung wählen</translation>
+    </message>
+    <message>
+        <source>the path asks for more than {1} places of this tool</source>
+        <translation>der Weg verlangt mehr als {1} Stellen dieses Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the path of a turning part knows no axis</source>
+        <translation>der Weg eines drehenden Teils kennt keine Achse</translation>
+    </message>
+    <message>
+        <source>the path would run from {1} to {2} along the axis</source>
+        <translation>der Weg liefe entlang der Achse von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded</source>
+        <translation>das Bild konnte nicht kodiert werden</translation>
+    </message>
+    <message>
+        <source>the picture ends before its last row</source>
+        <translation>das Bild endet vor seiner letzten Zeile</translation>
+    </message>
+    <message>
+        <source>the picture has {1}</source>
+        <translation>das Bild hat {1}</translation>
+    </message>
+    <message>
+        <source>the picture has {1} bits a pixel</source>
+        <translation>das Bild hat {1} Bit je Pixel</translation>
+    </message>
+    <message>
+        <source>the picture has {1} bits a pixel, as floats</source>
+        <translation>das Bild hat {1} Bit je Pixel, als Fließkomma</translation>
+    </message>
+    <message>
+        <source>the picture has {1} channels</source>
+        <translation>das Bild hat {1} Kanäle</translation>
+    </message>
+    <message>
+        <source>the picture has {1}, more than 100 million in all or 100 000 a side</source>
+        <translation>das Bild hat {1}, mehr als 100 Millionen insgesamt oder 100 000 je Seite</translation>
+    </message>
+    <message>
+        <source>the picture is interlaced and has {1} × {2} pixels</source>
+        <translation>das Bild ist interlaced und hat {1} × {2} Pixel</translation>
+    </message>
+    <message>
+        <source>the picture is not one of grey</source>
+        <translation>das Bild ist kein Graubild</translation>
+    </message>
+    <message>
+        <source>the picture says that it is to be turned or mirrored</source>
+        <translation>das Bild sagt, dass es gedreht oder gespiegelt werden soll</translation>
+    </message>
+    <message>
+        <source>the picture's tiles of {1} × {2} pixels are too large</source>
+        <translation>die Kacheln des Bildes von {1} × {2} Pixeln sind zu groß</translation>
+    </message>
+    <message>
+        <source>the place of the part is no number</source>
+        <translation>der Ort des Teils ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the point {1}, {2}, {3}</source>
+        <translation>den Punkt {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>the posture kept for {1} is not free and not used: {2}</source>
+        <translation>die für {1} festgehaltene Stellung ist nicht frei und wird nicht verwendet: {2}</translation>
+    </message>
+    <message>
+        <source>the posture kept for {1} is not used: another one is kept for the same contact point</source>
+        <translation>die für {1} festgehaltene Stellung wird nicht verwendet: eine andere ist für denselben Berührpunkt festgehalten</translation>
+    </message>
+    <message>
+        <source>the posture kept for {1} is not used: no pass comes there</source>
+        <translation>die für {1} festgehaltene Stellung wird nicht verwendet: keine Bahn kommt dorthin</translation>
+    </message>
+    <message>
+        <source>the profile has too many pieces</source>
+        <translation>das Profil hat zu viele Stücke</translation>
+    </message>
+    <message>
+        <source>the program has no motion</source>
+        <translation>das Programm hat keine Bewegung</translation>
+    </message>
+    <message>
+        <source>the program number {1} is not from 1 to {2}</source>
+        <translation>die Programmnummer {1} ist nicht von 1 bis {2}</translation>
+    </message>
+    <message>
+        <source>the program that reads such files, {1}, is not here</source>
+        <translation>das Programm, das solche Dateien liest, {1}, ist nicht da</translation>
+    </message>
+    <message>
+        <source>the project has no operations</source>
+        <translation>das Projekt hat keine Operationen</translation>
+    </message>
+    <message>
+        <source>the project has no setup</source>
+        <translation>das Projekt hat keine Aufspannung</translation>
+    </message>
+    <message>
+        <source>the project has no tools: add one</source>
+        <translation>das Projekt hat keine Werkzeuge: eines hinzufügen</translation>
+    </message>
+    <message>
+        <source>the radius at height {1} is too large</source>
+        <translation>der Radius in Höhe {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the record has {1} values</source>
+        <translation>der Datensatz hat {1} Werte</translation>
+    </message>
+    <message>
+        <source>the rework tool is not known</source>
+        <translation>das Nacharbeitswerkzeug ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the scan would have to move by {1} to fit</source>
+        <translation>der Scan müsste sich um {1} bewegen, um zu passen</translation>
+    </message>
+    <message>
+        <source>the section T of an IGES file</source>
+        <translation>der Abschnitt T einer IGES-Datei</translation>
+    </message>
+    <message>
+        <source>the sections do not stand at equal distances</source>
+        <translation>die Schnitte stehen nicht in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>the setup's name '{1}' occurs twice</source>
+        <translation>der Name der Aufspannung '{1}' kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the shank is not carried</source>
+        <translation>der Schaft wird nicht übernommen</translation>
+    </message>
+    <message>
+        <source>the shank would hit the part</source>
+        <translation>der Schaft träfe das Teil</translation>
+    </message>
+    <message>
+        <source>the shank would hit the part: use a longer or thinner tool</source>
+        <translation>der Schaft träfe das Teil: ein längeres oder dünneres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the shape has no ':'</source>
+        <translation>der Form fehlt ':'</translation>
+    </message>
+    <message>
+        <source>the shape needs {1} number</source>
+        <translation>die Form braucht {1} Zahl</translation>
+    </message>
+    <message>
+        <source>the shape needs {1} numbers</source>
+        <translation>die Form braucht {1} Zahlen</translation>
+    </message>
+    <message>
+        <source>the side feed asks for more than {1} turns</source>
+        <translation>der Seitenvorschub verlangt mehr als {1} Umdrehungen</translation>
+    </message>
+    <message>
+        <source>the side feed of {1} leaves </source>
+        <translation>der Seitenvorschub von {1} lässt </translation>
+    </message>
+    <message>
+        <source>the step says no limit for pieces</source>
+        <translation>der Schritt nennt keine Grenze für Stücke</translation>
+    </message>
+    <message>
+        <source>the step {1} leaves no facet</source>
+        <translation>der Schritt {1} lässt keine Facette</translation>
+    </message>
+    <message>
+        <source>the step-over of {1} leaves cusps of {2}; the tolerance allows {3}</source>
+        <translation>der Bahnabstand von {1} lässt Rillen von {2}; die Toleranz erlaubt {3}</translation>
+    </message>
+    <message>
+        <source>the step-over of {1} leaves places uncut; the tolerance allows {2}</source>
+        <translation>der Bahnabstand von {1} lässt Stellen stehen; die Toleranz erlaubt {2}</translation>
+    </message>
+    <message>
+        <source>the stock does not hold the part as it turns: it reaches {1} from the axis, the part {2}: take a stock of at least {3} in diameter</source>
+        <translation>das Rohteil enthält das Teil beim Drehen nicht: es reicht {1} von der Achse, das Teil {2}: ein Rohteil von mindestens {3} Durchmesser nehmen</translation>
+    </message>
+    <message>
+        <source>the stock does not reach there</source>
+        <translation>das Rohteil reicht nicht dorthin</translation>
+    </message>
+    <message>
+        <source>the stock ends at z = {1}, the part begins at z = {2}</source>
+        <translation>das Rohteil endet bei z = {1}, das Teil beginnt bei z = {2}</translation>
+    </message>
+    <message>
+        <source>the stock ends {1} above the part: the allowance of {2} cannot stay everywhere</source>
+        <translation>das Rohteil endet {1} über dem Teil: das Aufmaß von {2} kann nicht überall bleiben</translation>
+    </message>
+    <message>
+        <source>the stock has more than {1} GB of rays in {2}</source>
+        <translation>das Rohteil hat mehr als {1} GB an Strahlen in {2}</translation>
+    </message>
+    <message>
+        <source>the stock is not there</source>
+        <translation>das Rohteil ist nicht da</translation>
+    </message>
+    <message>
+        <source>the stock's </source>
+        <translation>Rohteil: </translation>
+    </message>
+    <message>
+        <source>the surface offset by vertices lets the cutter up to {1} (upright) into the allowance of {2}, most at {3}: use offset contact</source>
+        <translation>die durch Eckpunkte versetzte Fläche lässt den Fräser bis zu {1} (senkrecht) in das Aufmaß von {2}, am meisten bei {3}: Versatz am Berührpunkt verwenden</translation>
+    </message>
+    <message>
+        <source>the surface's arrays do not fit each other</source>
+        <translation>die Felder der Fläche passen nicht zueinander</translation>
+    </message>
+    <message>
+        <source>the tab</source>
+        <translation>der Steg</translation>
+    </message>
+    <message>
+        <source>the table below the stock</source>
+        <translation>der Tisch unter dem Rohteil</translation>
+    </message>
+    <message>
+        <source>the tabs</source>
+        <translation>die Stege</translation>
+    </message>
+    <message>
+        <source>the taper angle is out of range</source>
+        <translation>der Flankenwinkel ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the taper angle {1} is out of range</source>
+        <translation>der Flankenwinkel {1} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the tessellation tolerances (outward {1}, inward {2}) use up the machining tolerance of {3}</source>
+        <translation>die Toleranzen der Vernetzung (außen {1}, innen {2}) verbrauchen die Bearbeitungstoleranz von {3}</translation>
+    </message>
+    <message>
+        <source>the tessellation tolerances are not lengths of 0 or more</source>
+        <translation>die Toleranzen der Vernetzung sind keine Längen von 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the text holds control or invisible characters: '{1}'</source>
+        <translation>der Text enthält Steuer- oder unsichtbare Zeichen: '{1}'</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16 or UTF-32</source>
+        <translation>der Text ist UTF-16 oder UTF-32</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8</source>
+        <translation>der Text ist nicht UTF-8</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8: '{1}'</source>
+        <translation>der Text ist nicht UTF-8: '{1}'</translation>
+    </message>
+    <message>
+        <source>the text of an ASCII STL file has binary bytes in it</source>
+        <translation>im Text einer ASCII-STL-Datei stehen binäre Bytes</translation>
+    </message>
+    <message>
+        <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tolerance asks for</source>
+        <translation>die Toleranz verlangt</translation>
+    </message>
+    <message>
+        <source>the tolerance asks for more than {1} drive planes</source>
+        <translation>die Toleranz verlangt mehr als {1} Führungsebenen</translation>
+    </message>
+    <message>
+        <source>the tolerance is not above 0</source>
+        <translation>die Toleranz ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the tool axis has no direction</source>
+        <translation>die Werkzeugachse hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the tool axis has not length 1</source>
+        <translation>die Werkzeugachse hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>the tool axis is not of length 1</source>
+        <translation>die Werkzeugachse hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>the tool axis of a 3-axis program is not +Z</source>
+        <translation>die Werkzeugachse eines 3-Achs-Programms ist nicht +Z</translation>
+    </message>
+    <message>
+        <source>the tool axis turns by half a turn at once</source>
+        <translation>die Werkzeugachse dreht sich auf einmal um eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>the tool can stand nowhere along the {1} strips that tool {2} left</source>
+        <translation>das Werkzeug kann nirgends entlang der {1} Streifen stehen, die Werkzeug {2} ließ</translation>
+    </message>
+    <message>
+        <source>the tool has room there, and the machine's axes do not take it in; turn the part or take another machine</source>
+        <translation>das Werkzeug hat dort Platz, und die Achsen der Maschine nehmen es nicht auf; das Teil drehen oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen in das Teil, deshalb fallen {1} der Bahnen weg</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen dem Teil näher als das Aufmaß, deshalb bleibt der Fräser über {1} des Grundes höher, als er sein könnte, um bis zu {2}, am meisten bei {3}: ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the tool is so small against the part that its rest cannot be looked for in {1} places</source>
+        <translation>das Werkzeug ist gegenüber dem Teil so klein, dass sein Rest nicht an {1} Stellen gesucht werden kann</translation>
+    </message>
+    <message>
+        <source>the tool is too large for hollows of the part: over {1} of it, seen {2}, up to {3} stays above the allowance, most at {4}: rough again there with a smaller tool</source>
+        <translation>das Werkzeug ist zu groß für Mulden des Teils: über {1} davon, {2} gesehen, bleibt bis zu {3} über dem Aufmaß, am meisten bei {4}: dort mit einem kleineren Werkzeug nochmals schruppen</translation>
+    </message>
+    <message>
+        <source>the tool leaves nothing that is thicker than that</source>
+        <translation>das Werkzeug lässt nichts, was dicker ist als das</translation>
+    </message>
+    <message>
+        <source>the tool number {1} occurs twice</source>
+        <translation>die Werkzeugnummer {1} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the tool takes away nowhere more than {1} of what stands on the {2} strips</source>
+        <translation>das Werkzeug nimmt nirgends mehr als {1} von dem weg, was auf den {2} Streifen steht</translation>
+    </message>
+    <message>
+        <source>the tool that cut before is not known</source>
+        <translation>das Werkzeug, das vorher fräste, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the tool's {1} would touch the part wherever there is something to cut</source>
+        <translation>des Werkzeugs {1} würde das Teil berühren, wo immer etwas zu fräsen ist</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits but does not go there</source>
+        <translation>das Werkzeug{1} passt, geht aber nicht dorthin</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits, but a tab is to stay there</source>
+        <translation>das Werkzeug{1} passt, aber dort soll ein Steg stehen bleiben</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits, but its boundary leaves the place out</source>
+        <translation>das Werkzeug{1} passt, aber seine Begrenzung lässt die Stelle aus</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits, but its shank or holder would touch stock that stands</source>
+        <translation>das Werkzeug{1} passt, aber Schaft oder Halter würden stehendes Rohmaterial berühren</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits, but would come too near to a fixture</source>
+        <translation>das Werkzeug{1} passt, käme aber einem Spannmittel zu nahe</translation>
+    </message>
+    <message>
+        <source>the tool{1} fits, but would go below the bottom of the stock</source>
+        <translation>das Werkzeug{1} passt, ginge aber unter den Boden des Rohteils</translation>
+    </message>
+    <message>
+        <source>the transform {1} is not twelve numbers</source>
+        <translation>die Transformation {1} besteht nicht aus zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>the transform {1} leaves nothing of an object</source>
+        <translation>die Transformation {1} lässt nichts von einem Objekt</translation>
+    </message>
+    <message>
+        <source>the turning axis passes {1} beside the part</source>
+        <translation>die Drehachse läuft {1} neben dem Teil vorbei</translation>
+    </message>
+    <message>
+        <source>the two points of the turning axis are the same</source>
+        <translation>die zwei Punkte der Drehachse sind derselbe</translation>
+    </message>
+    <message>
+        <source>the value has the wrong type</source>
+        <translation>der Wert hat die falsche Art</translation>
+    </message>
+    <message>
+        <source>the value is not a finite number</source>
+        <translation>der Wert ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the value is not a whole number</source>
+        <translation>der Wert ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the value is {1}</source>
+        <translation>der Wert ist {1}</translation>
+    </message>
+    <message>
+        <source>the value {1} is out of range</source>
+        <translation>der Wert {1} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the value {1} is too large</source>
+        <translation>der Wert {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the verification</source>
+        <translation>die Prüfung</translation>
+    </message>
+    <message>
+        <source>the version is negative</source>
+        <translation>die Version ist negativ</translation>
+    </message>
+    <message>
+        <source>the version is not a whole number</source>
+        <translation>die Version ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the version of the project file is missing</source>
+        <translation>die Version der Projektdatei fehlt</translation>
+    </message>
+    <message>
+        <source>the vertex number</source>
+        <translation>die Nummer des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>the vertices have no x, y and z</source>
+        <translation>die Eckpunkte haben kein x, y und z</translation>
+    </message>
+    <message>
+        <source>the view direction has no length or runs along the machining direction</source>
+        <translation>die Blickrichtung hat keine Länge oder verläuft in der Bearbeitungsrichtung</translation>
+    </message>
+    <message>
+        <source>the whole part is smaller than {1} mm</source>
+        <translation>das ganze Teil ist kleiner als {1} mm</translation>
+    </message>
+    <message>
+        <source>the word endsolid is missing and the mesh has {1} open edges</source>
+        <translation>das Wort endsolid fehlt, und das Netz hat {1} offene Kanten</translation>
+    </message>
+    <message>
+        <source>the {1} has no file</source>
+        <translation>keine Datei angegeben: {1}</translation>
+    </message>
+    <message>
+        <source>the {1} is not a finite number</source>
+        <translation>keine endliche Zahl: {1}</translation>
+    </message>
+    <message>
+        <source>the {1} would touch the part along {2} of passes, which are left out: use a longer tool</source>
+        <translation>{1} würde das Teil entlang {2} der Bahnen berühren, die wegfallen: ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the {1} would touch the part along {2} of passes, which are left out: use a longer tool, or allow it to be inclined by a tilt limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the {1} {2} cannot be written</source>
+        <translation>nicht schreibbar: {1} {2}</translation>
+    </message>
+    <message>
+        <source>the {1}'s mesh encloses nothing</source>
+        <translation>das Netz ({1}) umschließt nichts</translation>
+    </message>
+    <message>
+        <source>the {1}'s mesh is not closed: {2} open edges, {3} of more than two facets, {4} between facets that face apart</source>
+        <translation>das Netz ({1}) ist nicht geschlossen: {2} offene Kanten, {3} mit mehr als zwei Facetten, {4} zwischen Facetten, die auseinander zeigen</translation>
+    </message>
+    <message>
+        <source>their plane goes through the middle of the part: there is no side to lie on</source>
+        <translation>ihre Ebene geht durch die Mitte des Teils: es gibt keine Seite zum Auflegen</translation>
+    </message>
+    <message>
+        <source>there are too many brackets</source>
+        <translation>es sind zu viele Klammern</translation>
+    </message>
+    <message>
+        <source>there is no '='</source>
+        <translation>es fehlt '='</translation>
+    </message>
+    <message>
+        <source>there is no CUTTER statement</source>
+        <translation>es gibt keine CUTTER-Anweisung</translation>
+    </message>
+    <message>
+        <source>there is no boundary '{1}'</source>
+        <translation>es gibt keine Begrenzung '{1}'</translation>
+    </message>
+    <message>
+        <source>there is no contact point {1}: the operation has {2}</source>
+        <translation>es gibt keinen Berührpunkt {1}: die Operation hat {2}</translation>
+    </message>
+    <message>
+        <source>there is no file {1}</source>
+        <translation>es gibt keine Datei {1}</translation>
+    </message>
+    <message>
+        <source>there is no key before '='</source>
+        <translation>vor '=' steht kein Schlüssel</translation>
+    </message>
+    <message>
+        <source>there is no motion that cuts</source>
+        <translation>keine Bewegung fräst</translation>
+    </message>
+    <message>
+        <source>there is no object '{1}'</source>
+        <translation>es gibt kein Objekt '{1}'</translation>
+    </message>
+    <message>
+        <source>there is no operation '{1}'</source>
+        <translation>es gibt keine Operation '{1}'</translation>
+    </message>
+    <message>
+        <source>there is no operation in it</source>
+        <translation>darin ist keine Operation</translation>
+    </message>
+    <message>
+        <source>there is no operation name before the key</source>
+        <translation>vor dem Schlüssel steht kein Name einer Operation</translation>
+    </message>
+    <message>
+        <source>there is no program</source>
+        <translation>es gibt kein Programm</translation>
+    </message>
+    <message>
+        <source>there is no room for the tool to enter</source>
+        <translation>das Werkzeug hat keinen Platz zum Eintauchen</translation>
+    </message>
+    <message>
+        <source>there is no round wall or rim</source>
+        <translation>dort ist keine runde Wand und kein Rand</translation>
+    </message>
+    <message>
+        <source>there is no setup '{1}'</source>
+        <translation>es gibt keine Aufspannung '{1}'</translation>
+    </message>
+    <message>
+        <source>there is no setup {1}</source>
+        <translation>es gibt keine Aufspannung {1}</translation>
+    </message>
+    <message>
+        <source>there is no stock</source>
+        <translation>es gibt kein Rohteil</translation>
+    </message>
+    <message>
+        <source>there is no such program</source>
+        <translation>es gibt kein solches Programm</translation>
+    </message>
+    <message>
+        <source>there is no such program{1}</source>
+        <translation>es gibt kein solches Programm{1}</translation>
+    </message>
+    <message>
+        <source>there is no tool {1}</source>
+        <translation>es gibt kein Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>there is no verdict in them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no {1}</source>
+        <translation>{1} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no {1} '{2}'</source>
+        <translation>es gibt kein '{2}' ({1})</translation>
+    </message>
+    <message>
+        <source>there is no {1} {2}: the part has {3}</source>
+        <translation>{1} {2} gibt es nicht: das Teil hat {3}</translation>
+    </message>
+    <message>
+        <source>there is nothing that this format can carry</source>
+        <translation>nichts davon passt in dieses Format</translation>
+    </message>
+    <message>
+        <source>they are not what was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they lie nearly on a line: no plane goes through them</source>
+        <translation>sie liegen fast auf einer Geraden: keine Ebene geht hindurch</translation>
+    </message>
+    <message>
+        <source>thicken</source>
+        <translation>Verdicken</translation>
+    </message>
+    <message>
+        <source>thicken: how far behind the sheet its back lies; in front of it below 0.</source>
+        <translation>Verdicken: wie weit hinter dem Blech seine Rückseite liegt; unter 0 davor.</translation>
+    </message>
+    <message>
+        <source>thousands or decimals? export the part again with decimal points</source>
+        <translation>Tausender oder Dezimalen? das Teil mit Dezimalpunkten neu exportieren</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>tilt the tool less</source>
+        <translation>das Werkzeug weniger neigen</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>together at most 90°</source>
+        <translation>zusammen höchstens 90°</translation>
+    </message>
+    <message>
+        <source>too few numbers for one '{1}'</source>
+        <translation>zu wenige Zahlen für ein '{1}'</translation>
+    </message>
+    <message>
+        <source>too many numbers for one '{1}'</source>
+        <translation>zu viele Zahlen für ein '{1}'</translation>
+    </message>
+    <message>
+        <source>too many words in the header line</source>
+        <translation>zu viele Wörter in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>tool {1}</source>
+        <translation>Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>tool {1} cannot enter, leaves {2}</source>
+        <translation>Werkzeug {1} kommt nicht hinein, lässt {2}</translation>
+    </message>
+    <message>
+        <source>tool {1} has no ball end</source>
+        <translation>Werkzeug {1} hat keinen Kugelkopf</translation>
+    </message>
+    <message>
+        <source>tool {1} is a ball, which matches no curvature by its lead</source>
+        <translation>Werkzeug {1} ist eine Kugel, die mit ihrem Anstellwinkel keine Krümmung angleicht</translation>
+    </message>
+    <message>
+        <source>tool {1} is another cutter in {2}</source>
+        <translation>Werkzeug {1} ist in {2} ein anderer Fräser</translation>
+    </message>
+    <message>
+        <source>tool {1} is to clean up what it left itself</source>
+        <translation>Werkzeug {1} soll säubern, was es selbst ließ</translation>
+    </message>
+    <message>
+        <source>tool {1} leaves nowhere more than {2}</source>
+        <translation>Werkzeug {1} lässt nirgends mehr als {2}</translation>
+    </message>
+    <message>
+        <source>tool {1} leaves nowhere more than {2} that the operations before have not cut</source>
+        <translation>Werkzeug {1} lässt nirgends mehr als {2}, was die Operationen davor nicht gefräst haben</translation>
+    </message>
+    <message>
+        <source>tool {1} leaves nowhere more than {2} that the operations before have not cut, nor do the operations before</source>
+        <translation>Werkzeug {1} lässt nirgends mehr als {2}, was die Operationen davor nicht gefräst haben, diese auch nicht</translation>
+    </message>
+    <message>
+        <source>tool {1} leaves nowhere more than {2}, nor do the operations before</source>
+        <translation>Werkzeug {1} lässt nirgends mehr als {2}, die Operationen davor auch nicht</translation>
+    </message>
+    <message>
+        <source>tool {1} touches both flanks, leaves {2}</source>
+        <translation>Werkzeug {1} berührt beide Flanken, lässt {2}</translation>
+    </message>
+    <message>
+        <source>tools there are: {1}</source>
+        <translation>vorhandene Werkzeuge: {1}</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>dreieckig</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>nochmals versuchen</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>turn the part</source>
+        <translation>das Teil drehen</translation>
+    </message>
+    <message>
+        <source>turns by half a turn in one motion</source>
+        <translation>dreht sich in einer Bewegung um eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>two measures are multiplied</source>
+        <translation>zwei Maße werden multipliziert</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>two programs would have the name '{1}'</source>
+        <translation>zwei Programme hätten den Namen '{1}'</translation>
+    </message>
+    <message>
+        <source>unexpected end of input</source>
+        <translation>unerwartetes Ende</translation>
+    </message>
+    <message>
+        <source>unknown format '{1}'</source>
+        <translation>unbekanntes Format '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown header word '{1}'</source>
+        <translation>unbekanntes Wort im Kopf '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>unknown kind of linking</source>
+        <translation>unbekannte Art der Verbindung</translation>
+    </message>
+    <message>
+        <source>unknown kind of parameter</source>
+        <translation>unbekannte Art eines Parameters</translation>
+    </message>
+    <message>
+        <source>unknown name '{1}'</source>
+        <translation>unbekannter Name '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown number type '{1}'</source>
+        <translation>unbekannte Zahlenart '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown operation '{1}'; did you mean '{2}'?</source>
+        <translation>unbekannte Operation '{1}'; ist '{2}' gemeint?</translation>
+    </message>
+    <message>
+        <source>unknown operation '{1}'{2}</source>
+        <translation>unbekannte Operation '{1}'{2}</translation>
+    </message>
+    <message>
+        <source>unknown shape '{1}'</source>
+        <translation>unbekannte Form '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown unit '{1}'</source>
+        <translation>unbekannte Einheit '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown value '{1}'</source>
+        <translation>unbekannter Wert '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown version '{1}'</source>
+        <translation>unbekannte Version '{1}'</translation>
+    </message>
+    <message>
+        <source>unknown view '{1}'</source>
+        <translation>unbekannte Ansicht '{1}'</translation>
+    </message>
+    <message>
+        <source>unpack into another folder</source>
+        <translation>in einen anderen Ordner entpacken</translation>
+    </message>
+    <message>
+        <source>unpack it by other means, if you trust it</source>
+        <translation>anders entpacken, wenn man ihm traut</translation>
+    </message>
+    <message>
+        <source>unwound</source>
+        <translation>fortlaufend</translation>
+    </message>
+    <message>
+        <source>up to {1} stays above the allowance; the tolerance is {2}</source>
+        <translation>bis zu {1} bleibt über dem Aufmaß; die Toleranz ist {2}</translation>
+    </message>
+    <message>
+        <source>use .fmtools, .fctb, .fctl, .fcholder, .json, .tools or .tbl</source>
+        <translation>.fmtools, .fctb, .fctl, .fcholder, .json, .tools oder .tbl verwenden</translation>
+    </message>
+    <message>
+        <source>use a coarser mesh, or boxes and cylinders</source>
+        <translation>ein gröberes Netz nehmen, oder Quader und Zylinder</translation>
+    </message>
+    <message>
+        <source>use a coarser resolution</source>
+        <translation>eine gröbere Auflösung verwenden</translation>
+    </message>
+    <message>
+        <source>use a larger tolerance</source>
+        <translation>eine größere Toleranz verwenden</translation>
+    </message>
+    <message>
+        <source>use a longer tool, or allow a larger tilt limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a longer tool, or allow it to be inclined by a tilt limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a longer tool, or less holder clearance</source>
+        <translation>ein längeres Werkzeug oder weniger Halterabstand nehmen</translation>
+    </message>
+    <message>
+        <source>use a mesh of at most {1} facets</source>
+        <translation>ein Netz von höchstens {1} Facetten nehmen</translation>
+    </message>
+    <message>
+        <source>use a mesh of at most {1} million facets</source>
+        <translation>ein Netz von höchstens {1} Millionen Facetten nehmen</translation>
+    </message>
+    <message>
+        <source>use a newer Facetmill</source>
+        <translation>ein neueres Facetmill verwenden</translation>
+    </message>
+    <message>
+        <source>use a newer Facetmill, or export it anew</source>
+        <translation>ein neueres Facetmill verwenden oder neu exportieren</translation>
+    </message>
+    <message>
+        <source>use a number or one of: {1}</source>
+        <translation>eine Zahl verwenden oder eines von: {1}</translation>
+    </message>
+    <message>
+        <source>use a smaller or longer tool</source>
+        <translation>ein kleineres oder längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>use a smaller tool</source>
+        <translation>ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>use a smaller tool there</source>
+        <translation>dort ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>use a smaller tool, or leave the operation out</source>
+        <translation>ein kleineres Werkzeug nehmen oder die Operation weglassen</translation>
+    </message>
+    <message>
+        <source>use a smaller tool: one of {1} does on half of the part</source>
+        <translation>ein kleineres Werkzeug nehmen: eines von {1} genügt auf der Hälfte des Teils</translation>
+    </message>
+    <message>
+        <source>use a stock that reaches lower, or allow it by 'Below the bottom'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a tool that is {1} longer</source>
+        <translation>ein um {1} längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>use at least {1}</source>
+        <translation>mindestens {1} verwenden</translation>
+    </message>
+    <message>
+        <source>use at most {1}, half of the narrowest cutter's radius</source>
+        <translation>höchstens {1} verwenden, die Hälfte des Radius des schmalsten Fräsers</translation>
+    </message>
+    <message>
+        <source>use ball:D, flat:D, bull:D,r, cone:D,half_angle or apt:d,r,e,f,alpha,beta,h</source>
+        <translation>ball:D, flat:D, bull:D,r, cone:D,half_angle oder apt:d,r,e,f,alpha,beta,h verwenden</translation>
+    </message>
+    <message>
+        <source>use concave, convex or complex</source>
+        <translation>concave, convex oder complex verwenden</translation>
+    </message>
+    <message>
+        <source>use mm or in</source>
+        <translation>mm oder in verwenden</translation>
+    </message>
+    <message>
+        <source>use mm, cm, m, in or ft</source>
+        <translation>mm, cm, m, in oder ft verwenden</translation>
+    </message>
+    <message>
+        <source>use one of {1}</source>
+        <translation>eines verwenden von {1}</translation>
+    </message>
+    <message>
+        <source>use one of: {1}</source>
+        <translation>eines verwenden von: {1}</translation>
+    </message>
+    <message>
+        <source>use small letters and _</source>
+        <translation>Kleinbuchstaben und _ verwenden</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>was asked for a pose that is not finite or has no unit axis</source>
+        <translation>wurde nach einer Lage gefragt, die nicht endlich ist oder keine Einheitsachse hat</translation>
+    </message>
+    <message>
+        <source>was asked for a space without a grid</source>
+        <translation>wurde nach einem Raum ohne Raster gefragt</translation>
+    </message>
+    <message>
+        <source>was asked for at a point without a normal</source>
+        <translation>wurde an einem Punkt ohne Normale verlangt</translation>
+    </message>
+    <message>
+        <source>was made without a tool</source>
+        <translation>wurde ohne Werkzeug gemacht</translation>
+    </message>
+    <message>
+        <source>what holds the stock from below</source>
+        <translation>was das Rohteil von unten hält</translation>
+    </message>
+    <message>
+        <source>what the setup before leaves is not known yet</source>
+        <translation>was die vorherige Aufspannung lässt, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>where the part is said to be in the way it may be {1}, kept off like the part</source>
+        <translation>wo es heißt, das Teil sei im Weg, kann es auch anderes sein: {1}, gemieden wie das Teil</translation>
+    </message>
+    <message>
+        <source>widen it, or take a tool that reaches what lies in it</source>
+        <translation>sie erweitern oder ein Werkzeug nehmen, das erreicht, was darin liegt</translation>
+    </message>
+    <message>
+        <source>widen it, take a smaller tool, or keep only the contact within</source>
+        <translation>sie erweitern, ein kleineres Werkzeug nehmen oder nur den Berührpunkt darin halten</translation>
+    </message>
+    <message>
+        <source>with corner radius 0 the centre (e, f) must be the corner ({1}, {2})</source>
+        <translation>mit Eckenradius 0 muss die Mitte (e, f) die Ecke ({1}, {2}) sein</translation>
+    </message>
+    <message>
+        <source>with taper angle {1}° the side meets the axis below the height {2}</source>
+        <translation>bei Flankenwinkel {1}° trifft die Seite die Achse unter der Höhe {2}</translation>
+    </message>
+    <message>
+        <source>without how it is run ('{1}'): {2}</source>
+        <translation>ohne die Schnittdaten ('{1}'): {2}</translation>
+    </message>
+    <message>
+        <source>without its flutes: {1}</source>
+        <translation>ohne Schneidenzahl: {1}</translation>
+    </message>
+    <message>
+        <source>words are read as they lie in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>would hold {1} files, more than {2}</source>
+        <translation>enthielte {1} Dateien, mehr als {2}</translation>
+    </message>
+    <message>
+        <source>would make the archive hold more than {1} bytes</source>
+        <translation>damit enthielte das Archiv mehr als {1} Bytes</translation>
+    </message>
+    <message>
+        <source>write "mm" or "in"</source>
+        <translation>"mm" oder "in" schreiben</translation>
+    </message>
+    <message>
+        <source>write NAME.key=value, as in Finish.tolerance=0.01</source>
+        <translation>NAME.schlüssel=wert schreiben, wie Finish.tolerance=0.01</translation>
+    </message>
+    <message>
+        <source>write a name without slashes</source>
+        <translation>einen Namen ohne Schrägstriche schreiben</translation>
+    </message>
+    <message>
+        <source>write a number of ordinary size</source>
+        <translation>eine Zahl üblicher Größe schreiben</translation>
+    </message>
+    <message>
+        <source>write it on one line without them</source>
+        <translation>ihn ohne sie in einer Zeile schreiben</translation>
+    </message>
+    <message>
+        <source>write numbers and ranges in ascending order, as 0-57, 60</source>
+        <translation>Nummern und Bereiche aufsteigend schreiben, wie 0-57, 60</translation>
+    </message>
+    <message>
+        <source>write one program for each operation: "programs": "each"</source>
+        <translation>je Operation ein Programm schreiben: "programs": "each"</translation>
+    </message>
+    <message>
+        <source>write the part in pieces</source>
+        <translation>das Teil in Stücken schreiben</translation>
+    </message>
+    <message>
+        <source>write to another file or folder</source>
+        <translation>in eine andere Datei oder einen anderen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>write {1}</source>
+        <translation>{1} schreiben</translation>
+    </message>
+    <message>
+        <source>write {1} or more</source>
+        <translation>{1} oder mehr schreiben</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>zigzag</source>
+        <translation>Zickzack</translation>
+    </message>
+    <message>
+        <source>zigzag cuts neighbouring passes to and fro; oneway all in the same direction.</source>
+        <translation>Zickzack fräst benachbarte Bahnen hin und her; einseitig alle in derselben Richtung.</translation>
+    </message>
+    <message>
+        <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above the part.</source>
+        <translation>Zickzack fräst hin und her; einseitig fräst immer in Fahrtrichtung und kehrt über dem Teil zurück.</translation>
+    </message>
+    <message>
+        <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above what stands.</source>
+        <translation>Zickzack fräst hin und her; einseitig fräst immer in Fahrtrichtung und kehrt über dem zurück, was steht.</translation>
+    </message>
+    <message>
+        <source>{1} % of</source>
+        <translation>{1} % von</translation>
+    </message>
+    <message>
+        <source>{1} % of the strips stays uncut by up to {2}, as at {3}</source>
+        <translation>{1} % der Streifen bleiben um bis zu {2} stehen, etwa bei {3}</translation>
+    </message>
+    <message>
+        <source>{1} % of the strips stays uncut{2}, as at {3}</source>
+        <translation>{1} % der Streifen bleiben stehen{2}, etwa bei {3}</translation>
+    </message>
+    <message>
+        <source>{1} ({2} of {3})</source>
+        <translation>{1} ({2} von {3})</translation>
+    </message>
+    <message>
+        <source>{1} and a rest, and they do not look like facets</source>
+        <translation>{1} und ein Rest, und sie sehen nicht wie Facetten aus</translation>
+    </message>
+    <message>
+        <source>{1} and the file ends there</source>
+        <translation>{1} und dort endet die Datei</translation>
+    </message>
+    <message>
+        <source>{1} are switched off and not cut</source>
+        <translation>{1} sind ausgeschaltet und werden nicht gefräst</translation>
+    </message>
+    <message>
+        <source>{1} collision, the deepest {2} by a rapid{3} ({4})</source>
+        <translation>{1} Kollision, die tiefste {2} im Eilgang{3} ({4})</translation>
+    </message>
+    <message>
+        <source>{1} collision, the deepest {2} by the {3} ({4})</source>
+        <translation>{1} Kollision, die tiefste {2} durch {3} ({4})</translation>
+    </message>
+    <message>
+        <source>{1} collisions, the deepest {2} by a rapid{3} ({4})</source>
+        <translation>{1} Kollisionen, die tiefste {2} im Eilgang{3} ({4})</translation>
+    </message>
+    <message>
+        <source>{1} collisions, the deepest {2} by the {3} ({4})</source>
+        <translation>{1} Kollisionen, die tiefste {2} durch {3} ({4})</translation>
+    </message>
+    <message>
+        <source>{1} contact point was left by operations before</source>
+        <translation>{1} Berührpunkt ließen vorherige Operationen</translation>
+    </message>
+    <message>
+        <source>{1} contact points were left by operations before</source>
+        <translation>{1} Berührpunkte ließen vorherige Operationen</translation>
+    </message>
+    <message>
+        <source>{1} crashed at it (signal {2})</source>
+        <translation>{1} stürzte daran ab (Signal {2})</translation>
+    </message>
+    <message>
+        <source>{1} days</source>
+        <translation>{1} Tage</translation>
+    </message>
+    <message>
+        <source>{1} ends {2} too early</source>
+        <translation>{1} endet {2} zu früh</translation>
+    </message>
+    <message>
+        <source>{1} expected</source>
+        <translation>{1} erwartet</translation>
+    </message>
+    <message>
+        <source>{1} expected, found '{2}'</source>
+        <translation>{1} erwartet, gefunden: '{2}'</translation>
+    </message>
+    <message>
+        <source>{1} facets are to be avoided, more than {2}</source>
+        <translation>{1} Facetten sind zu meiden, mehr als {2}</translation>
+    </message>
+    <message>
+        <source>{1} facets are too many for connectivity</source>
+        <translation>{1} Facetten sind zu viele für die Nachbarschaften</translation>
+    </message>
+    <message>
+        <source>{1} facets are wound inward and were judged from the side that is outside.</source>
+        <translation>{1} Facetten sind nach innen gewunden und wurden von der äußeren Seite beurteilt.</translation>
+    </message>
+    <message>
+        <source>{1} failed at it (status {2})</source>
+        <translation>{1} scheiterte daran (Status {2})</translation>
+    </message>
+    <message>
+        <source>{1} files cannot be read</source>
+        <translation>{1}-Dateien können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>{1} h {2} min</source>
+        <translation>{1} h {2} min</translation>
+    </message>
+    <message>
+        <source>{1} handed over something else</source>
+        <translation>{1} übergab etwas anderes</translation>
+    </message>
+    <message>
+        <source>{1} has said nothing for {2} s and was stopped</source>
+        <translation>{1} sagte {2} s lang nichts und wurde angehalten</translation>
+    </message>
+    <message>
+        <source>{1} inclines the tool, and the machine '{2}' has no rotary axis</source>
+        <translation>{1} neigt das Werkzeug, und die Maschine '{2}' hat keine Drehachse</translation>
+    </message>
+    <message>
+        <source>{1} is as long as the stock, in which nothing is seen then</source>
+        <translation>{1} ist so lang wie das Rohteil, in dem dann nichts zu sehen ist</translation>
+    </message>
+    <message>
+        <source>{1} is missing at its end</source>
+        <translation>am Ende fehlt {1}</translation>
+    </message>
+    <message>
+        <source>{1} is no number</source>
+        <translation>{1} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{1} is no whole number</source>
+        <translation>{1} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{1} is not a finite number</source>
+        <translation>{1} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{1} is not carried</source>
+        <translation>{1} wird nicht übernommen</translation>
+    </message>
+    <message>
+        <source>{1} is not carried: offsets have the tool's number</source>
+        <translation>{1} wird nicht übernommen: Korrekturen haben die Nummer des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>{1} is switched off and not cut</source>
+        <translation>{1} ist ausgeschaltet und wird nicht gefräst</translation>
+    </message>
+    <message>
+        <source>{1} is {2}, not a whole number</source>
+        <translation>{1} ist {2}, keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{1} lines per turn leave </source>
+        <translation>{1} Linien je Umdrehung lassen </translation>
+    </message>
+    <message>
+        <source>{1} makes {2} rays through the stock, more than {3}</source>
+        <translation>{1} ergibt {2} Strahlen durch das Rohteil, mehr als {3}</translation>
+    </message>
+    <message>
+        <source>{1} min</source>
+        <translation>{1} min</translation>
+    </message>
+    <message>
+        <source>{1} min {2} s</source>
+        <translation>{1} min {2} s</translation>
+    </message>
+    <message>
+        <source>{1} mm</source>
+        <translation>{1} mm</translation>
+    </message>
+    <message>
+        <source>{1} model</source>
+        <translation>{1}-Modell</translation>
+    </message>
+    <message>
+        <source>{1} more regions</source>
+        <translation>{1} weitere Bereiche</translation>
+    </message>
+    <message>
+        <source>{1} more than {2} drive planes</source>
+        <translation>{1} mehr als {2} Führungsebenen</translation>
+    </message>
+    <message>
+        <source>{1} needs about {2} GB for the stock, more than {3} GB</source>
+        <translation>{1} braucht etwa {2} GB für das Rohteil, mehr als {3} GB</translation>
+    </message>
+    <message>
+        <source>{1} of the part's area faces no tool axis of the programs (walls, undersides): there only gouges count.</source>
+        <translation>{1} der Fläche des Teils zeigen zu keiner Werkzeugachse der Programme (Wände, Unterseiten): dort zählen nur Verletzungen.</translation>
+    </message>
+    <message>
+        <source>{1} of the part's area is hidden from all tool axes by other parts of it: there only gouges count.</source>
+        <translation>{1} der Fläche des Teils sind allen Werkzeugachsen durch andere Stellen verdeckt: dort zählen nur Verletzungen.</translation>
+    </message>
+    <message>
+        <source>{1} of the surface</source>
+        <translation>{1} der Fläche</translation>
+    </message>
+    <message>
+        <source>{1} of the surface ({2}) around {3} turns under so far that only leads above the lead limits reach it, and is not cut: turn the part over and cut it in another setup, or raise the upper lead limit for the whole part</source>
+        <translation>{1} der Fläche ({2}) um {3} weichen so weit zurück, dass nur Anstellwinkel über den Grenzen sie erreichen, und werden nicht gefräst: das Teil wenden und in einer weiteren Aufspannung fräsen, oder die obere Grenze für das ganze Teil erhöhen</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is cleared by neither path{2}</source>
+        <translation>{1} der Fläche trägt keiner der Wege ab{2}</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is cleared by neither path{2}: use a smaller rework tool</source>
+        <translation>{1} der Fläche trägt keiner der Wege ab{2}: ein kleineres Nacharbeitswerkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>{1} of what is to be cut is left uncut, up to {2} ({3}), limit {4}</source>
+        <translation>{1} des zu Fräsenden bleiben stehen, bis zu {2} ({3}), Grenze {4}</translation>
+    </message>
+    <message>
+        <source>{1} of {2} contact points have no free posture and are left to clean-up; mostly {3}</source>
+        <translation>{1} von {2} Berührpunkten haben keine freie Stellung und bleiben der Restbearbeitung; meistens: {3}</translation>
+    </message>
+    <message>
+        <source>{1} of {2} drive planes cross places so steep that no step-over meets the tolerance: cusps of {3} stay there, {4} are allowed</source>
+        <translation>{1} von {2} Führungsebenen kreuzen so steile Stellen, dass kein Bahnabstand die Toleranz einhält: dort bleiben Rillen von {3}, erlaubt sind {4}</translation>
+    </message>
+    <message>
+        <source>{1} of {2} drive planes cross places where no step-over meets the tolerance</source>
+        <translation>{1} von {2} Führungsebenen kreuzen Stellen, wo kein Bahnabstand die Toleranz einhält</translation>
+    </message>
+    <message>
+        <source>{1} pieces of the stock, up to {2} long, come off, the first at {3}.</source>
+        <translation>{1} Stücke des Rohteils, bis zu {2} lang, lösen sich, das erste bei {3}.</translation>
+    </message>
+    <message>
+        <source>{1} place is left out that the tool has no room to enter by a ramp or a helix ({2} of cuts), the first at {3}: use a smaller tool, or allow it to plunge</source>
+        <translation>{1} Stelle fällt weg, wo das Werkzeug keinen Platz für Rampe oder Wendel hat ({2} an Schnitten), die erste bei {3}: ein kleineres Werkzeug nehmen oder senkrechtes Eintauchen erlauben</translation>
+    </message>
+    <message>
+        <source>{1} places are left out that the tool has no room to enter by a ramp or a helix ({2} of cuts), the first at {3}: use a smaller tool, or allow it to plunge</source>
+        <translation>{1} Stellen fallen weg, wo das Werkzeug keinen Platz für Rampe oder Wendel hat ({2} an Schnitten), die erste bei {3}: ein kleineres Werkzeug nehmen oder senkrechtes Eintauchen erlauben</translation>
+    </message>
+    <message>
+        <source>{1} places are left to clean-up because the tool cannot come there from its neighbours without gouging or turning too far</source>
+        <translation>{1} Stellen bleiben der Restbearbeitung, weil das Werkzeug von den Nachbarn nicht ohne Verletzung oder zu große Drehung dorthin kommt</translation>
+    </message>
+    <message>
+        <source>{1} region</source>
+        <translation>{1} Bereich</translation>
+    </message>
+    <message>
+        <source>{1} regions</source>
+        <translation>{1} Bereiche</translation>
+    </message>
+    <message>
+        <source>{1} rework</source>
+        <translation>{1}, Nacharbeit</translation>
+    </message>
+    <message>
+        <source>{1} stay uncut: choose a rework tool, or cut them by another operation</source>
+        <translation>{1} bleiben stehen: ein Nacharbeitswerkzeug wählen oder sie mit einer anderen Operation fräsen</translation>
+    </message>
+    <message>
+        <source>{1} swings the tool {2} off its path while it cuts</source>
+        <translation>{1} schwenkt das Werkzeug beim Fräsen {2} von seinem Weg</translation>
+    </message>
+    <message>
+        <source>{1} that faces up lies under the part itself, as at {2}, and is not cut: turn the part for another operation</source>
+        <translation>{1}, nach oben gewandt, liegen unter dem Teil selbst, etwa bei {2}, und werden nicht gefräst: das Teil für eine weitere Operation drehen</translation>
+    </message>
+    <message>
+        <source>{1} to avoid</source>
+        <translation>{1} zu meiden</translation>
+    </message>
+    <message>
+        <source>{1} to {2}</source>
+        <translation>{1} bis {2}</translation>
+    </message>
+    <message>
+        <source>{1} values or colours do not fit {2} vertices</source>
+        <translation>{1} Werte oder Farben passen nicht zu {2} Eckpunkten</translation>
+    </message>
+    <message>
+        <source>{1} would be in the way of all passes, with the clearance</source>
+        <translation>{1}: wäre allen Bahnen im Weg, mit dem Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>{1} would be in the way of {2} of the passes, which are left out</source>
+        <translation>{1}: wäre {2} der Bahnen im Weg, die wegfallen</translation>
+    </message>
+    <message>
+        <source>{1} {2} is not possible</source>
+        <translation>{1} {2} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>{1} × {2} pixels</source>
+        <translation>{1} × {2} Pixel</translation>
+    </message>
+    <message>
+        <source>{1}, facet {2}</source>
+        <translation>{1}, Facette {2}</translation>
+    </message>
+    <message>
+        <source>{1}, line {2}</source>
+        <translation>{1}, Zeile {2}</translation>
+    </message>
+    <message>
+        <source>{1}, or raise the lead limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{1}, pixel {2}, {3}</source>
+        <translation>{1}, Pixel {2}, {3}</translation>
+    </message>
+    <message>
+        <source>{1}, vertex {2}</source>
+        <translation>{1}, Eckpunkt {2}</translation>
+    </message>
+    <message>
+        <source>{1}, with the tip at ({2}, {3}, {4}) {5}; the machine '{6}' cannot make {7} of {8} motions</source>
+        <translation>{1}, mit der Spitze bei ({2}, {3}, {4}) {5}; die Maschine '{6}' kann {7} von {8} Bewegungen nicht ausführen</translation>
+    </message>
+    <message>
+        <source>{1}, {2} to {3} along the axis</source>
+        <translation>{1}, {2} bis {3} entlang der Achse</translation>
+    </message>
+    <message>
+        <source>{1}: CUTTER</source>
+        <translation>{1}: CUTTER</translation>
+    </message>
+    <message>
+        <source>{1}: linking</source>
+        <translation>{1}: Verbinden</translation>
+    </message>
+    <message>
+        <source>{1}: main path</source>
+        <translation>{1}: Hauptweg</translation>
+    </message>
+    <message>
+        <source>{1}: motion {2}</source>
+        <translation>{1}: Bewegung {2}</translation>
+    </message>
+    <message>
+        <source>{1}: program_number</source>
+        <translation>{1}: program_number</translation>
+    </message>
+    <message>
+        <source>{1}: rework path</source>
+        <translation>{1}: Nacharbeitsweg</translation>
+    </message>
+    <message>
+        <source>{1}: stock left so far</source>
+        <translation>{1}: bis hier gelassenes Rohteil</translation>
+    </message>
+    <message>
+        <source>{1}: {2} of passes, {3} of the surface uncut where the cutter could go</source>
+        <translation>{1}: {2} der Bahnen, {3} der Fläche bleiben stehen, wo der Fräser hinkönnte</translation>
+    </message>
+    <message>
+        <source>{1}: {2} of passes{3}</source>
+        <translation>{1}: {2} der Bahnen{3}</translation>
+    </message>
+    <message>
+        <source>{1}: {2} would reach it, or a tool that tilts (finish5)</source>
+        <translation>{1}: {2} käme hin, oder ein Werkzeug, das sich neigt (finish5)</translation>
+    </message>
+    <message>
+        <source>{1}: {2} {3}² ({4} of the surface), where it stays up to {5} away, at {6}: {7}</source>
+        <translation>{1}: {2} {3}² ({4} der Fläche), wo es bis zu {5} entfernt bleibt, bei {6}: {7}</translation>
+    </message>
+    <message>
+        <source>{1}; the deepest gouge that the verification lets pass. auto is a twentieth of the tolerance, but at most 0.01 mm (0.0004 in). At most half the tolerance is used.</source>
+        <translation>{1}; die tiefste Verletzung, die die Prüfung durchgehen lässt. auto ist ein Zwanzigstel der Toleranz, aber höchstens 0,01 mm (0,0004 in). Höchstens die halbe Toleranz wird verwendet.</translation>
+    </message>
+    <message>
+        <source>{1}the machine cannot incline the tool like this</source>
+        <translation>{1}die Maschine kann das Werkzeug nicht so neigen</translation>
+    </message>
+    <message>
+        <source>{1}° asks for {2} postures at every point</source>
+        <translation>{1}° verlangt an jedem Punkt {2} Stellungen</translation>
+    </message>
+    <message>
+        <source>{1}° is no usable step between postures</source>
+        <translation>{1}° ist kein brauchbarer Schritt zwischen Stellungen</translation>
+    </message>
+</context>
+<context>
+    <name>facetmill</name>
+    <message>
+        <source>   %1 to the next</source>
+        <translation>   %1 bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>   %1 to the one before</source>
+        <translation>   %1 zum vorherigen</translation>
+    </message>
+    <message>
+        <source>   %1: lead %2, yaw %3, lift %4</source>
+        <translation>   %1: Anstellwinkel %2, Taumelwinkel %3, Abhub %4</translation>
+    </message>
+    <message>
+        <source>   CL %1 %2</source>
+        <translation>   CL %1 %2</translation>
+    </message>
+    <message>
+        <source>   pass %1, point %2   CC %3   CL %4 %5</source>
+        <translation>   Bahn %1, Punkt %2   CC %3   CL %4 %5</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation> (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source> (preview)</source>
+        <translation> (Vorschau)</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>%1   GOTO %2   CL %3, %4, %5 %6</source>
+        <translation>%1   GOTO %2   CL %3, %4, %5 %6</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface</source>
+        <translation>%1 % der Fläche</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2%3</source>
+        <translation>%1 %2%3</translation>
+    </message>
+    <message>
+        <source>%1 %2%3°</source>
+        <translation>%1 %2%3°</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3: %4</source>
+        <translation>%1 %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>%1 CC points</source>
+        <translation>%1 CC-Punkte</translation>
+    </message>
+    <message>
+        <source>%1 GOTO/s</source>
+        <translation>%1 GOTO/s</translation>
+    </message>
+    <message>
+        <source>%1 across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 added to the project</source>
+        <translation>%1 zum Projekt hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 can be read in two ways</source>
+        <translation>%1 lässt sich auf zwei Arten lesen</translation>
+    </message>
+    <message>
+        <source>%1 collisions</source>
+        <translation>%1 Kollisionen</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 h left</source>
+        <translation>noch %1 h</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 is missing. It was looked for in %2.</source>
+        <translation>%1 fehlt. Gesucht wurde in %2.</translation>
+    </message>
+    <message>
+        <source>%1 kept as “%2”</source>
+        <translation>%1 aufbewahrt als „%2“</translation>
+    </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 Ebenen</translation>
+    </message>
+    <message>
+        <source>%1 long</source>
+        <translation>%1 lang</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>noch %1 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2 facets</source>
+        <translation>%1 von %2 Facetten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 postures free</source>
+        <translation>%1 von %2 Stellungen frei</translation>
+    </message>
+    <message>
+        <source>%1 of %2 strips cut</source>
+        <translation>%1 von %2 Streifen gefräst</translation>
+    </message>
+    <message>
+        <source>%1 of 3 points. Click the next one; Esc leaves it.</source>
+        <translation>%1 von 3 Punkten. Nächsten anklicken; Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 of what is to be cut is left uncut (allowed %2)</source>
+        <translation>%1 des zu Fräsenden bleibt stehen (erlaubt %2)</translation>
+    </message>
+    <message>
+        <source>%1 on %2: rotary axes</source>
+        <translation>%1 auf %2: Drehachsen</translation>
+    </message>
+    <message>
+        <source>%1 on the table within an outline of %2, %3 of the surface faces down, %4 high, falls at %5°. Double click: lay the part on it.</source>
+        <translation>%1 auf dem Tisch in einem Umriss von %2, %3 der Fläche zeigt nach unten, %4 hoch, kippt bei %5°. Doppelklick: Teil darauf legen.</translation>
+    </message>
+    <message>
+        <source>%1 operations are as they were planned: they were kept with the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 programs (*%2);;All files (*)</source>
+        <translation>%1-Programme (*%2);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 Bereiche</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>%1 setups as one job</source>
+        <translation>%1 Aufspannungen als ein Auftrag</translation>
+    </message>
+    <message>
+        <source>%1 setups as one job, as posted, %2 blocks</source>
+        <translation>%1 Aufspannungen als ein Auftrag, wie ausgegeben, %2 Sätze</translation>
+    </message>
+    <message>
+        <source>%1 smaller ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 strips, all of them cut</source>
+        <translation>%1 Streifen, alle gefräst</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 nach %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 tools</source>
+        <translation>%1 Werkzeuge</translation>
+    </message>
+    <message>
+        <source>%1 wide, %2 long</source>
+        <translation>%1 breit, %2 lang</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 % of the surface</source>
+        <translation>%1, %2 % der Fläche</translation>
+    </message>
+    <message>
+        <source>%1, %2 passes</source>
+        <translation>%1, %2 Bahnen</translation>
+    </message>
+    <message>
+        <source>%1, or a Facetmill project</source>
+        <translation>%1 oder ein Facetmill-Projekt</translation>
+    </message>
+    <message>
+        <source>%1, up to %2</source>
+        <translation>%1, bis zu %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 rpm, %3 %4</source>
+        <translation>%1: %2 U/min, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1: a double click goes there</source>
+        <translation>%1: Doppelklick wechselt dorthin</translation>
+    </message>
+    <message>
+        <source>%1: a region that operations cut within or keep off</source>
+        <translation>%1: ein Bereich, in dem Operationen fräsen oder den sie meiden</translation>
+    </message>
+    <message>
+        <source>%1: no tool comes nearer than %2</source>
+        <translation>%1: kein Werkzeug kommt näher als %2</translation>
+    </message>
+    <message>
+        <source>%1: shown, planned and verified now</source>
+        <translation>%1: wird jetzt gezeigt, geplant und geprüft</translation>
+    </message>
+    <message>
+        <source>%1: step-over along the part</source>
+        <translation>%1: Bahnabstand entlang des Teils</translation>
+    </message>
+    <message>
+        <source>%1: there is no picture to write</source>
+        <translation>%1: es gibt kein Bild zu schreiben</translation>
+    </message>
+    <message>
+        <source>%1; %2 facets, %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° from X</source>
+        <translation>%1° von X</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation><numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;About Facetmill</source>
+        <translation>&amp;Über Facetmill</translation>
+    </message>
+    <message>
+        <source>&amp;Add to project</source>
+        <translation>Zum Projekt hinzu&amp;fügen</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Close program</source>
+        <translation>Programm s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Control</source>
+        <translation>&amp;Steuerung</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export programs…</source>
+        <translation>Programme &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Feeds and speeds</source>
+        <translation>&amp;Vorschübe und Drehzahlen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;First job, step by step</source>
+        <translation>Erster &amp;Auftrag, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>&amp;Flat</source>
+        <translation>&amp;Flach</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Holder, from the shank upward</source>
+        <translation>&amp;Halter, vom Schaft aufwärts</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Inches</source>
+        <translation>&amp;Zoll</translation>
+    </message>
+    <message>
+        <source>&amp;Keep project’s tools</source>
+        <translation>Werkzeuge des Projekts auf&amp;bewahren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep unsaved work every</source>
+        <translation>&amp;Nicht Gespeichertes sichern alle</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Locate missing file…</source>
+        <translation>Fehlende &amp;Datei suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Maschine</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Millimetres</source>
+        <translation>&amp;Millimeter</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Scan room…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Geglättet</translation>
+    </message>
+    <message>
+        <source>&amp;Tilt from upright</source>
+        <translation>&amp;Neigung zur Senkrechten</translation>
+    </message>
+    <message>
+        <source>&amp;Turning</source>
+        <translation>&amp;Drehung</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Unpack</source>
+        <translation>&amp;Entpacken</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>P&amp;rüfen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Wire</source>
+        <translation>&amp;Drahtmodell</translation>
+    </message>
+    <message>
+        <source>,  .</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>, %1 deep</source>
+        <translation>, %1 tief</translation>
+    </message>
+    <message>
+        <source>, %1 deep; at most %2 would stay above the allowance</source>
+        <translation>, %1 tief; höchstens %2 bliebe über dem Aufmaß</translation>
+    </message>
+    <message>
+        <source>, %1 switched off</source>
+        <translation>, %1 ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>, GOTO %1</source>
+        <translation>, GOTO %1</translation>
+    </message>
+    <message>
+        <source>, facet %1</source>
+        <translation>, Facette %1</translation>
+    </message>
+    <message>
+        <source>, holders for the dialog of a tool: %1</source>
+        <translation>, Halter für den Werkzeugdialog: %1</translation>
+    </message>
+    <message>
+        <source>, into the fixture '%1'</source>
+        <translation>, in das Spannmittel '%1'</translation>
+    </message>
+    <message>
+        <source>, into the part</source>
+        <translation>, in das Teil</translation>
+    </message>
+    <message>
+        <source>, lift %1</source>
+        <translation>, Abhub %1</translation>
+    </message>
+    <message>
+        <source>0 … 6</source>
+        <translation>0 … 6</translation>
+    </message>
+    <message>
+        <source>0° is upright, 90° level, 180° from below</source>
+        <translation>0° ist senkrecht, 90° waagrecht, 180° von unten</translation>
+    </message>
+    <message>
+        <source>1 collision</source>
+        <translation>1 Kollision</translation>
+    </message>
+    <message>
+        <source>1 layer</source>
+        <translation>1 Ebene</translation>
+    </message>
+    <message>
+        <source>1 region</source>
+        <translation>1 Bereich</translation>
+    </message>
+    <message>
+        <source>1 strip, cut</source>
+        <translation>1 Streifen, gefräst</translation>
+    </message>
+    <message>
+        <source>1 strip, switched off</source>
+        <translation>1 Streifen, ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>1 tool</source>
+        <translation>1 Werkzeug</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>; at most %1 stays above the allowance</source>
+        <translation>; höchstens %1 bleibt über dem Aufmaß</translation>
+    </message>
+    <message>
+        <source>; it does not fit in %1 places, which the log has. </source>
+        <translation>; an %1 Stellen passt sie nicht, die im Protokoll stehen. </translation>
+    </message>
+    <message>
+        <source>; it does not fit in one place. </source>
+        <translation>; an einer Stelle passt sie nicht. </translation>
+    </message>
+    <message>
+        <source>; lowest lift %1, highest %2</source>
+        <translation>; kleinster Abhub %1, größter %2</translation>
+    </message>
+    <message>
+        <source>; not carried:</source>
+        <translation>; nicht übernommen:</translation>
+    </message>
+    <message>
+        <source>; rework covers %1 of the surface</source>
+        <translation>; die Nacharbeit deckt %1 der Fläche ab</translation>
+    </message>
+    <message>
+        <source>; the path is out of date: plan again</source>
+        <translation>; der Weg ist veraltet: neu planen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; holds %2 facets and does not say in which unit. How large is the part?</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; enthält %2 Facetten und sagt nicht, in welcher Einheit. Wie groß ist das Teil?</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is a packed project. It is unpacked into a folder of its own and opened from there; the packed file stays as it is.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; ist ein gepacktes Projekt. Es wird in einen eigenen Ordner entpackt und von dort geöffnet; die gepackte Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Facetmill %1&lt;/h3&gt;&lt;p&gt;Plans tool paths on triangle meshes.&lt;/p&gt;&lt;p&gt;Built with Qt %2, VTK, Eigen, OpenMesh and oneTBB.&lt;br&gt;Licensed under the Apache License 2.0.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Facetmill %1&lt;/h3&gt;&lt;p&gt;Plant Werkzeugwege auf Dreiecksnetzen.&lt;/p&gt;&lt;p&gt;Gebaut mit Qt %2, VTK, Eigen, OpenMesh und oneTBB.&lt;br&gt;Unter der Apache-Lizenz 2.0.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A closed curve has three corners or more: click on the part.</source>
+        <translation>Eine geschlossene Kurve hat drei Ecken oder mehr: auf das Teil klicken.</translation>
+    </message>
+    <message>
+        <source>A fast main path with five axes, and a smaller tool for the regions it leaves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A helix, rings or lengthwise lines over a part that turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it before programs are written.</source>
+        <translation>Ein Parameter ist ungültig: vor dem Schreiben von Programmen berichtigen.</translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it before the project is packed.</source>
+        <translation>Ein Parameter ist ungültig: vor dem Packen des Projekts berichtigen.</translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it before the project is saved.</source>
+        <translation>Ein Parameter ist ungültig: vor dem Speichern des Projekts berichtigen.</translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it before the setup sheet is written.</source>
+        <translation>Ein Parameter ist ungültig: vor dem Schreiben des Einrichteblatts berichtigen.</translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it before the unit is changed.</source>
+        <translation>Ein Parameter ist ungültig: vor dem Wechsel der Einheit berichtigen.</translation>
+    </message>
+    <message>
+        <source>A parameter is not valid: correct it, then plan.</source>
+        <translation>Ein Parameter ist ungültig: berichtigen, dann planen.</translation>
+    </message>
+    <message>
+        <source>A program from a file, shown in place of the plan.</source>
+        <translation>Ein Programm aus einer Datei, gezeigt anstelle des Plans.</translation>
+    </message>
+    <message>
+        <source>A program is shown over its part: open the project or the mesh first, then drop the program.</source>
+        <translation>Ein Programm wird über seinem Teil gezeigt: zuerst das Projekt oder das Netz öffnen, dann das Programm hineinziehen.</translation>
+    </message>
+    <message>
+        <source>A setup sheet begins with the verdict of the verification. Press Verify (F6) first.</source>
+        <translation>Ein Einrichteblatt beginnt mit dem Ergebnis der Prüfung. Zuerst Prüfen (F6).</translation>
+    </message>
+    <message>
+        <source>A value is not valid</source>
+        <translation>Ein Wert ist ungültig</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>About Facetmill</source>
+        <translation>Über Facetmill</translation>
+    </message>
+    <message>
+        <source>Above the view: what comes next, ticked off as it is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Werkstoff hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a section above the others</source>
+        <translation>Einen Abschnitt über den anderen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a step behind the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a tool below the tree; a double click edits one.</source>
+        <translation>Ein Werkzeug unter dem Baum hinzufügen; Doppelklick bearbeitet eines.</translation>
+    </message>
+    <message>
+        <source>Add an operation below the tree. They run from top to bottom.</source>
+        <translation>Eine Operation unter dem Baum hinzufügen. Sie laufen von oben nach unten.</translation>
+    </message>
+    <message>
+        <source>Add an operation, a tool, a fixture, a boundary or a setup</source>
+        <translation>Operation, Werkzeug, Spannmittel, Begrenzung oder Aufspannung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add boundary</source>
+        <translation>Begrenzung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add fixture</source>
+        <translation>Spannmittel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add operation</source>
+        <translation>Operation hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add setup</source>
+        <translation>Aufspannung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Werkzeug hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add tools of the library</source>
+        <translation>Werkzeuge der Bibliothek hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add tool…</source>
+        <translation>Werkzeug hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Af&amp;ter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Align edge with X</source>
+        <translation>Kante nach X ausrichten</translation>
+    </message>
+    <message>
+        <source>All chapters</source>
+        <translation>Alle Kapitel</translation>
+    </message>
+    <message>
+        <source>All facets up to sharp edges, as a boundary for operations</source>
+        <translation>Alle Facetten bis zu scharfen Kanten, als Begrenzung für Operationen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All motions of all operations</source>
+        <translation>Alle Bewegungen aller Operationen</translation>
+    </message>
+    <message>
+        <source>All of it is switched off below the view</source>
+        <translation>Alles davon ist unter der Ansicht ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>All operations are switched off: switch one on in its menu.</source>
+        <translation>Alle Operationen sind ausgeschaltet: eine in ihrem Menü einschalten.</translation>
+    </message>
+    <message>
+        <source>All others</source>
+        <translation>Alle anderen</translation>
+    </message>
+    <message>
+        <source>All setups are planned.</source>
+        <translation>Alle Aufspannungen sind geplant.</translation>
+    </message>
+    <message>
+        <source>Along the axis (%1)</source>
+        <translation>Entlang der Achse (%1)</translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+0</source>
+        <translation>Alt+1 … Alt+0</translation>
+    </message>
+    <message>
+        <source>An unknown exception ended the job</source>
+        <translation>Eine unbekannte Ausnahme beendete die Arbeit</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>Winkel (°)</translation>
+    </message>
+    <message>
+        <source>Another boundary has this name</source>
+        <translation>Eine andere Begrenzung hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>Another fixture has this name</source>
+        <translation>Ein anderes Spannmittel hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>Another operation has this name</source>
+        <translation>Eine andere Operation hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>Another setup has this name</source>
+        <translation>Eine andere Aufspannung hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>Another setup is shown. A double click in the tree goes to this one.</source>
+        <translation>Gezeigt wird eine andere Aufspannung. Ein Doppelklick im Baum wechselt zu dieser.</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Apply &amp;template</source>
+        <translation>&amp;Vorlage anwenden</translation>
+    </message>
+    <message>
+        <source>Apply template</source>
+        <translation>Vorlage anwenden</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>Fläche (%1)</translation>
+    </message>
+    <message>
+        <source>Area of the part that lies on the table</source>
+        <translation>Fläche des Teils, die auf dem Tisch liegt</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>As the file is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the file is, %1 of %2 holes are filled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the file is, %1 of %2 pieces go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the part lies</source>
+        <translation>Wie das Teil liegt</translation>
+    </message>
+    <message>
+        <source>At %1: </source>
+        <translation>Bei %1: </translation>
+    </message>
+    <message>
+        <source>At a point</source>
+        <translation>An einem Punkt</translation>
+    </message>
+    <message>
+        <source>At which height of the box the zero is</source>
+        <translation>In welcher Höhe des Quaders der Nullpunkt liegt</translation>
+    </message>
+    <message>
+        <source>Axes over path</source>
+        <translation>Achsen über dem Weg</translation>
+    </message>
+    <message>
+        <source>Axes over time</source>
+        <translation>Achsen über der Zeit</translation>
+    </message>
+    <message>
+        <source>A−</source>
+        <translation>A−</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zurück zur Vorgabe</translation>
+    </message>
+    <message>
+        <source>Ball end</source>
+        <translation>Kugelkopf</translation>
+    </message>
+    <message>
+        <source>Before planning: %1. As planned, where the paths were looked at: %2, %3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being planned</source>
+        <translation>Wird geplant</translation>
+    </message>
+    <message>
+        <source>Best first</source>
+        <translation>Beste zuerst</translation>
+    </message>
+    <message>
+        <source>Best: the least surface that faces the table, where no tool from above comes to, the most that lies on it, and a firm stand. Largest: the most area on the table.</source>
+        <translation>Beste: am wenigsten Fläche zum Tisch hin, an die kein Werkzeug von oben kommt, am meisten, was aufliegt, und sicherer Stand. Größte: am meisten Fläche auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Boundary of a face</source>
+        <translation>Begrenzung aus einer Fläche</translation>
+    </message>
+    <message>
+        <source>Boundary of this face</source>
+        <translation>Begrenzung aus dieser Fläche</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Bull nose</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>By Wang's (1) a tool of up to D %1 matches all but 5 % of the hollow places at this limit.</source>
+        <translation>Nach Wang (1) passt ein Werkzeug bis D %1 an alle bis auf 5 % der hohlen Stellen bei dieser Grenze.</translation>
+    </message>
+    <message>
+        <source>By a value</source>
+        <translation>Um einen Wert</translation>
+    </message>
+    <message>
+        <source>By how much</source>
+        <translation>Um wie viel</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>CC</source>
+        <translation>CC</translation>
+    </message>
+    <message>
+        <source>CC points</source>
+        <translation>CC-Punkte</translation>
+    </message>
+    <message>
+        <source>CL cuts</source>
+        <translation>CL-Schnitte</translation>
+    </message>
+    <message>
+        <source>CL points</source>
+        <translation>CL-Punkte</translation>
+    </message>
+    <message>
+        <source>CM²</source>
+        <translation>CM²</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Cannot be judged</source>
+        <translation>Nicht beurteilbar</translation>
+    </message>
+    <message>
+        <source>Cannot be judged: %1</source>
+        <translation>Nicht beurteilbar: %1</translation>
+    </message>
+    <message>
+        <source>Carries the recipe out and shows what it would make; the project stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carry the step out earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carry the step out later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Centre part</source>
+        <translation>Teil zentrieren</translation>
+    </message>
+    <message>
+        <source>Change kind of boundary</source>
+        <translation>Art der Begrenzung ändern</translation>
+    </message>
+    <message>
+        <source>Change unit</source>
+        <translation>Einheit wechseln</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Choose a folder that is there</source>
+        <translation>Einen vorhandenen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose fixture</source>
+        <translation>Spannmittel wählen</translation>
+    </message>
+    <message>
+        <source>Choose mesh…</source>
+        <translation>Netz wählen…</translation>
+    </message>
+    <message>
+        <source>Choose stock</source>
+        <translation>Rohteil wählen</translation>
+    </message>
+    <message>
+        <source>Choose the control in Machine; Ctrl+E writes one program an operation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder in which the new one is made</source>
+        <translation>Den Ordner wählen, in dem der neue entsteht</translation>
+    </message>
+    <message>
+        <source>Choose the tool and its values in the form; + adds Rough before Finish.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choosing layers</source>
+        <translation>Ebenen werden gewählt</translation>
+    </message>
+    <message>
+        <source>Clamp over the edge</source>
+        <translation>Spannpratze über die Kante</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Clear %1</source>
+        <translation>%1 leeren</translation>
+    </message>
+    <message>
+        <source>Clear painted facets</source>
+        <translation>Gemalte Facetten löschen</translation>
+    </message>
+    <message>
+        <source>Clearance moves at rapid speed</source>
+        <translation>Bewegungen im Sicherheitsabstand im Eilgang</translation>
+    </message>
+    <message>
+        <source>Click a face of the part: the tool will stand upright on it. Ctrl+click takes the direction that you look along. Esc leaves it.</source>
+        <translation>Eine Fläche des Teils anklicken: das Werkzeug steht dann senkrecht darauf. Strg+Klick nimmt die Blickrichtung. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click a flat face of the part: it comes down to Z 0</source>
+        <translation>Eine ebene Fläche des Teils anklicken: sie kommt auf Z 0</translation>
+    </message>
+    <message>
+        <source>Click a point of the part for the work zero; a corner nearby is taken exactly. Esc leaves it.</source>
+        <translation>Einen Punkt des Teils für den Werkstücknullpunkt anklicken; eine nahe Ecke wird genau genommen. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click a point of the part for the zero; a corner nearby is taken exactly</source>
+        <translation>Einen Punkt des Teils für den Nullpunkt anklicken; eine nahe Ecke wird genau genommen</translation>
+    </message>
+    <message>
+        <source>Click a point of the part for “%1”; a corner nearby is taken exactly. Ctrl+click takes the middle of the flat face there. Esc leaves it.</source>
+        <translation>Einen Punkt des Teils für „%1“ anklicken; eine nahe Ecke wird genau genommen. Strg+Klick nimmt die Mitte der ebenen Fläche dort. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click beside an edge of the part: the part turns about Z until the edge runs along X</source>
+        <translation>Neben eine Kante des Teils klicken: das Teil dreht sich um Z, bis die Kante entlang X läuft</translation>
+    </message>
+    <message>
+        <source>Click into a round hole, on a boss, or beside a hole on its flat face. Esc leaves it.</source>
+        <translation>In ein rundes Loch, auf einen Zapfen oder neben ein Loch auf seine ebene Fläche klicken. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click into a round hole, on a boss, or beside a hole on its flat face: the zero comes to its axis, at its upper end</source>
+        <translation>In ein rundes Loch, auf einen Zapfen oder neben ein Loch auf seine ebene Fläche klicken: der Nullpunkt kommt auf die Achse, an ihr oberes Ende</translation>
+    </message>
+    <message>
+        <source>Click on a path</source>
+        <translation>Auf einen Weg klicken</translation>
+    </message>
+    <message>
+        <source>Click on a strip, here or in the view.</source>
+        <translation>Einen Streifen anklicken, hier oder in der Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click on the part beside the edge that is to run along X. Esc leaves it.</source>
+        <translation>Auf das Teil neben die Kante klicken, die entlang X laufen soll. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click or drag: the tool goes there. Arrows: along the path. Wheel: zoom. Right drag: move. Double click, Home: all.</source>
+        <translation>Klicken oder ziehen: das Werkzeug geht dorthin. Pfeile: am Weg entlang. Rad: Zoom. Rechts ziehen: verschieben. Doppelklick, Pos1: alles.</translation>
+    </message>
+    <message>
+        <source>Click or drag: the tool goes there. Wheel: zoom (Ctrl: the upright axis). Right drag: move.</source>
+        <translation>Klicken oder ziehen: das Werkzeug geht dorthin. Rad: Zoom (Strg: senkrechte Achse). Rechts ziehen: verschieben.</translation>
+    </message>
+    <message>
+        <source>Click the flat face that the part is to lie on. Esc leaves it.</source>
+        <translation>Die ebene Fläche anklicken, auf der das Teil liegen soll. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click three points of the part, one after the other, that are to be down; a corner nearby is taken exactly. Esc leaves it.</source>
+        <translation>Nacheinander drei Punkte des Teils anklicken, die unten sein sollen; eine nahe Ecke wird genau genommen. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click three points of the part: their plane comes down to Z 0</source>
+        <translation>Drei Punkte des Teils anklicken: ihre Ebene kommt auf Z 0</translation>
+    </message>
+    <message>
+        <source>Click two points of the part; corners nearby are taken exactly. Esc ends measuring.</source>
+        <translation>Zwei Punkte des Teils anklicken; nahe Ecken werden genau genommen. Esc beendet das Messen.</translation>
+    </message>
+    <message>
+        <source>Click: shown in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: shown in the view. Double click: laid on it.</source>
+        <translation>Klick: wird in der Ansicht gezeigt. Doppelklick: Teil darauf legen.</translation>
+    </message>
+    <message>
+        <source>Click: the view goes there. Check mark: whether the strip is cut.</source>
+        <translation>Klick: die Ansicht geht dorthin. Häkchen: ob der Streifen gefräst wird.</translation>
+    </message>
+    <message>
+        <source>Clicks on the part add corners; a double click or Enter closes the curve, Backspace takes the last corner back. Corners of a closed one can be dragged. Esc ends it.</source>
+        <translation>Klicks auf das Teil fügen Ecken hinzu; Doppelklick oder Eingabe schließt die Kurve, Rücktaste nimmt die letzte Ecke zurück. Ecken einer geschlossenen lassen sich ziehen. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Closed curve</source>
+        <translation>Geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Comparing tools and limits…</source>
+        <translation>Werkzeuge und Grenzen werden verglichen…</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Configuration space</source>
+        <translation>Konfigurationsraum</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Strg+C, Strg+V</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Strg+E</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, Ctrl+Shift+Z</source>
+        <translation>Strg+Z, Strg+Umschalt+Z</translation>
+    </message>
+    <message>
+        <source>Cut a model of the stock with all operations and compare it with the part (F6)</source>
+        <translation>Ein Modell des Rohteils mit allen Operationen fräsen und mit dem Teil vergleichen (F6)</translation>
+    </message>
+    <message>
+        <source>Cut by the rework tool; uncheck to leave it out</source>
+        <translation>Vom Nacharbeitswerkzeug gefräst; Häkchen entfernen, um ihn auszulassen</translation>
+    </message>
+    <message>
+        <source>Cut length</source>
+        <translation>Schnittlänge</translation>
+    </message>
+    <message>
+        <source>Cut the stock up to this operation, and judge what it is to leave</source>
+        <translation>Das Rohteil bis zu dieser Operation fräsen und beurteilen, was sie stehen lassen soll</translation>
+    </message>
+    <message>
+        <source>Cuts the valleys that a larger tool could not enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
+        <source>Cutter contacts: the points of the part that are cut</source>
+        <translation>Eingriffspunkte (CC): die Punkte des Teils, die gefräst werden</translation>
+    </message>
+    <message>
+        <source>Cutter locations: the path of the tool tip while it cuts</source>
+        <translation>Fräserpositionen (CL): der Weg der Werkzeugspitze beim Fräsen</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Deeper gouges than this have the last red</source>
+        <translation>Tiefere Verletzungen als diese haben das letzte Rot</translation>
+    </message>
+    <message>
+        <source>Deepest gouge</source>
+        <translation>Tiefste Verletzung</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth (%1)</source>
+        <translation>Tiefe (%1)</translation>
+    </message>
+    <message>
+        <source>Depth, %1</source>
+        <translation>Tiefe, %1</translation>
+    </message>
+    <message>
+        <source>Descriptions (*.json);;All files (*)</source>
+        <translation>Beschreibungen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Diameter (%1)</source>
+        <translation>Durchmesser (%1)</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Distance %1, X %2, Y %3, Z %4; faces at %5°</source>
+        <translation>Abstand %1, X %2, Y %3, Z %4; Flächen unter %5°</translation>
+    </message>
+    <message>
+        <source>Distance and angle between two points of the part (M)</source>
+        <translation>Abstand und Winkel zwischen zwei Punkten des Teils (M)</translation>
+    </message>
+    <message>
+        <source>Do not ask again for this file</source>
+        <translation>Bei dieser Datei nicht mehr fragen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: that was a whole job. F1 tells more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click, F</source>
+        <translation>Doppelklick, F</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Drag a dot on a boundary in the view to move it.</source>
+        <translation>Einen Punkt einer Begrenzung in der Ansicht ziehen, um sie zu verschieben.</translation>
+    </message>
+    <message>
+        <source>Drag boundary point</source>
+        <translation>Punkt der Begrenzung ziehen</translation>
+    </message>
+    <message>
+        <source>Draw curve</source>
+        <translation>Kurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Drawing regions</source>
+        <translation>Bereiche werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing the path</source>
+        <translation>Weg wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing the strips</source>
+        <translation>Streifen werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drill point</source>
+        <translation>Bohrspitze</translation>
+    </message>
+    <message>
+        <source>Drop edits</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Drop part to Z 0</source>
+        <translation>Teil auf Z 0 setzen</translation>
+    </message>
+    <message>
+        <source>Drop region edits</source>
+        <translation>Änderungen der Bereiche verwerfen</translation>
+    </message>
+    <message>
+        <source>Drop to Z 0</source>
+        <translation>Auf Z 0 setzen</translation>
+    </message>
+    <message>
+        <source>Dropped were %1; there is one part at a time. Drop the part alone: stock and fixtures are chosen in the project.</source>
+        <translation>Hineingezogen wurden %1; es gibt ein Teil auf einmal. Nur das Teil hineinziehen: Rohteil und Spannmittel werden im Projekt gewählt.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate boundary</source>
+        <translation>Begrenzung duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate fixture</source>
+        <translation>Spannmittel duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate operation</source>
+        <translation>Operation duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate setup</source>
+        <translation>Aufspannung duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate tool</source>
+        <translation>Werkzeug duplizieren</translation>
+    </message>
+    <message>
+        <source>Edge along X</source>
+        <translation>Kante nach X</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit region settings</source>
+        <translation>Einstellungen der Bereiche ändern</translation>
+    </message>
+    <message>
+        <source>Edit tool</source>
+        <translation>Werkzeug bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit tool…</source>
+        <translation>Werkzeug bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter in the field does the same</source>
+        <translation>Die Eingabetaste im Feld bewirkt dasselbe</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Estimated machining time</source>
+        <translation>Geschätzte Bearbeitungszeit</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
+        <source>Excess, half below</source>
+        <translation>Überstand, Hälfte unter</translation>
+    </message>
+    <message>
+        <source>Expected cusp</source>
+        <translation>Erwartete Spitzenhöhe</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
+    <message>
+        <source>Export configuration space</source>
+        <translation>Konfigurationsraum exportieren</translation>
+    </message>
+    <message>
+        <source>Export its program…</source>
+        <translation>Ihr Programm exportieren…</translation>
+    </message>
+    <message>
+        <source>Export p&amp;icture…</source>
+        <translation>Bild e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Export postures</source>
+        <translation>Stellungen exportieren</translation>
+    </message>
+    <message>
+        <source>Export programs</source>
+        <translation>Programme exportieren</translation>
+    </message>
+    <message>
+        <source>Export programs into</source>
+        <translation>Programme exportieren nach</translation>
+    </message>
+    <message>
+        <source>Export programs that failed?</source>
+        <translation>Programme exportieren, die nicht bestanden haben?</translation>
+    </message>
+    <message>
+        <source>Export set&amp;up sheet…</source>
+        <translation>Einric&amp;hteblatt exportieren…</translation>
+    </message>
+    <message>
+        <source>Export setup sheet</source>
+        <translation>Einrichteblatt exportieren</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Das Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Export the chart as a picture (PNG)</source>
+        <translation>Das Diagramm als Bild exportieren (PNG)</translation>
+    </message>
+    <message>
+        <source>Export the chart's values</source>
+        <translation>Die Werte des Diagramms exportieren</translation>
+    </message>
+    <message>
+        <source>Export the configuration space as a picture (PNG)</source>
+        <translation>Den Konfigurationsraum als Bild exportieren (PNG)</translation>
+    </message>
+    <message>
+        <source>Export the postures as a table (CSV)</source>
+        <translation>Die Stellungen als Tabelle exportieren (CSV)</translation>
+    </message>
+    <message>
+        <source>Export the unrolled path</source>
+        <translation>Den abgewickelten Weg exportieren</translation>
+    </message>
+    <message>
+        <source>Export the unrolled path as a picture (PNG)</source>
+        <translation>Den abgewickelten Weg als Bild exportieren (PNG)</translation>
+    </message>
+    <message>
+        <source>Export the values as a table (CSV)</source>
+        <translation>Die Werte als Tabelle exportieren (CSV)</translation>
+    </message>
+    <message>
+        <source>Export tools</source>
+        <translation>Werkzeuge exportieren</translation>
+    </message>
+    <message>
+        <source>Export unverified programs?</source>
+        <translation>Ungeprüfte Programme exportieren?</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>F5 plans, F6 verifies. Look at what the list finds before you go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F5, Ctrl+P</source>
+        <translation>F5, Strg+P</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>F7 … F10</source>
+        <translation>F7 … F10</translation>
+    </message>
+    <message>
+        <source>Faces of the file</source>
+        <translation>Flächen der Datei</translation>
+    </message>
+    <message>
+        <source>Faces to lie on</source>
+        <translation>Flächen zum Auflegen</translation>
+    </message>
+    <message>
+        <source>Facetmill</source>
+        <translation>Facetmill</translation>
+    </message>
+    <message>
+        <source>Facetmill (*.fmtools);;Fusion (*.json);;Fusion, packed (*.tools);;FreeCAD (*.fctl);;LinuxCNC (*.tbl)</source>
+        <translation>Facetmill (*.fmtools);;Fusion (*.json);;Fusion, gepackt (*.tools);;FreeCAD (*.fctl);;LinuxCNC (*.tbl)</translation>
+    </message>
+    <message>
+        <source>Facetmill ended without saving “%1”.</source>
+        <translation>Facetmill endete, ohne „%1“ zu speichern.</translation>
+    </message>
+    <message>
+        <source>Facetmill manual</source>
+        <translation>Handbuch von Facetmill</translation>
+    </message>
+    <message>
+        <source>Facetmill projects (*.facetmill)</source>
+        <translation>Facetmill-Projekte (*.facetmill)</translation>
+    </message>
+    <message>
+        <source>Facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>Facets that are out come in, those that are in go out</source>
+        <translation>Facetten außerhalb kommen hinein, die darin kommen heraus</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Failed verification</source>
+        <translation>Prüfung nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Failed verification: %1</source>
+        <translation>Prüfung nicht bestanden: %1</translation>
+    </message>
+    <message>
+        <source>Failed verification: the part is gouged at more places than are listed, so this operation is not cleared</source>
+        <translation>Prüfung nicht bestanden: das Teil wird an mehr Stellen verletzt, als aufgelistet sind; diese Operation ist damit nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Fehlgeschlagen: %1: %2</translation>
+    </message>
+    <message>
+        <source>Falls at</source>
+        <translation>Kippt bei</translation>
+    </message>
+    <message>
+        <source>Feed and spindle as the operation’s tool has them for a material; of roughing depth and step-over, too</source>
+        <translation>Vorschub und Drehzahl, wie das Werkzeug der Operation sie für einen Werkstoff hat; beim Schruppen auch Tiefe und Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds, row</source>
+        <translation>Vorschübe und Drehzahlen, Zeile</translation>
+    </message>
+    <message>
+        <source>Feeds for</source>
+        <translation>Vorschübe für</translation>
+    </message>
+    <message>
+        <source>Feeds of the tool</source>
+        <translation>Vorschübe des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Feeds: %1</source>
+        <translation>Vorschübe: %1</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File unit</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Find by name, shape, material or library</source>
+        <translation>Nach Name, Form, Werkstoff oder Bibliothek suchen</translation>
+    </message>
+    <message>
+        <source>Finding facets in a box</source>
+        <translation>Facetten in einem Quader werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finding rework regions</source>
+        <translation>Nacharbeitsbereiche werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finding what lies in a boundary</source>
+        <translation>Gesucht wird, was in einer Begrenzung liegt</translation>
+    </message>
+    <message>
+        <source>Fixture mesh</source>
+        <translation>Netz eines Spannmittels</translation>
+    </message>
+    <message>
+        <source>Flat end</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Flood</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Folder of libraries and templates</source>
+        <translation>Ordner der Bibliotheken und Vorlagen</translation>
+    </message>
+    <message>
+        <source>Following the path on the machine…</source>
+        <translation>Dem Weg auf der Maschine folgen…</translation>
+    </message>
+    <message>
+        <source>Forget the posture kept for this point</source>
+        <translation>Die für diesen Punkt festgehaltene Stellung vergessen</translation>
+    </message>
+    <message>
+        <source>Forget what was switched off, grown, shrunk and dragged by hand</source>
+        <translation>Vergessen, was von Hand ausgeschaltet, vergrößert, verkleinert und gezogen wurde</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Found %1 in %2.</source>
+        <translation>%1 in %2 gefunden.</translation>
+    </message>
+    <message>
+        <source>Found %1 places; the first %2 of them:</source>
+        <translation>%1 Stellen gefunden; die ersten %2 davon:</translation>
+    </message>
+    <message>
+        <source>Found (click to go there):</source>
+        <translation>Gefunden (Klick geht dorthin):</translation>
+    </message>
+    <message>
+        <source>Found in the mesh</source>
+        <translation>Im Netz gefunden</translation>
+    </message>
+    <message>
+        <source>Found there too: %1.</source>
+        <translation>Auch dort gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>FreeCAD</source>
+        <translation>FreeCAD</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+        <source>From setup “%1”: </source>
+        <translation>Aus Aufspannung „%1“: </translation>
+    </message>
+    <message>
+        <source>Fusion</source>
+        <translation>Fusion</translation>
+    </message>
+    <message>
+        <source>GOTO</source>
+        <translation>GOTO</translation>
+    </message>
+    <message>
+        <source>GOTO </source>
+        <translation>GOTO </translation>
+    </message>
+    <message>
+        <source>GOTO %1   %2   %3</source>
+        <translation>GOTO %1   %2   %3</translation>
+    </message>
+    <message>
+        <source>Give the boundary a name</source>
+        <translation>Der Begrenzung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give the fixture a name</source>
+        <translation>Dem Spannmittel einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give the operation a name</source>
+        <translation>Der Operation einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give the setup a name</source>
+        <translation>Der Aufspannung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Go to setup “%1”</source>
+        <translation>Zu Aufspannung „%1“ wechseln</translation>
+    </message>
+    <message>
+        <source>Go to this setup</source>
+        <translation>Zu dieser Aufspannung wechseln</translation>
+    </message>
+    <message>
+        <source>Goes back to the recipe of the project; nothing is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Verletzung</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Grow (%1)</source>
+        <translation>Vergrößern (%1)</translation>
+    </message>
+    <message>
+        <source>Grow and shrink by</source>
+        <translation>Vergrößern und verkleinern um</translation>
+    </message>
+    <message>
+        <source>Grow painted facets</source>
+        <translation>Gemalte Facetten vergrößern</translation>
+    </message>
+    <message>
+        <source>Grow region</source>
+        <translation>Bereich vergrößern</translation>
+    </message>
+    <message>
+        <source>Height of the part as it lies</source>
+        <translation>Höhe des Teils, wie es liegt</translation>
+    </message>
+    <message>
+        <source>Hidden ones too</source>
+        <translation>Auch verdeckte</translation>
+    </message>
+    <message>
+        <source>Hide part</source>
+        <translation>Teil ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide paths</source>
+        <translation>Wege ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide stock</source>
+        <translation>Rohteil ausblenden</translation>
+    </message>
+    <message>
+        <source>High,
+%1</source>
+        <translation>Hoch,
+%1</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>Holder %1</source>
+        <translation>Halter %1</translation>
+    </message>
+    <message>
+        <source>Holder section</source>
+        <translation>Halterabschnitt</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Mulde</translation>
+    </message>
+    <message>
+        <source>How far its boundary lies outside the offset; double click to enter it</source>
+        <translation>Wie weit die Begrenzung außerhalb des Versatzes liegt; Doppelklick zum Eingeben</translation>
+    </message>
+    <message>
+        <source>How far the table may be tilted before the part falls</source>
+        <translation>Wie weit der Tisch gekippt werden darf, bevor das Teil fällt</translation>
+    </message>
+    <message>
+        <source>Import tools</source>
+        <translation>Werkzeuge importieren</translation>
+    </message>
+    <message>
+        <source>In a chart or the unrolled path</source>
+        <translation>In einem Diagramm oder dem abgewickelten Weg</translation>
+    </message>
+    <message>
+        <source>In a hole</source>
+        <translation>In einem Loch</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Invert painted facets</source>
+        <translation>Gemalte Facetten umkehren</translation>
+    </message>
+    <message>
+        <source>It is offered again at the next start</source>
+        <translation>Beim nächsten Start wird es wieder angeboten</translation>
+    </message>
+    <message>
+        <source>It was kept as it stood on %1, in %2.</source>
+        <translation>Es wurde gesichert, wie es am %1 war, in %2.</translation>
+    </message>
+    <message>
+        <source>It was never saved under a name.</source>
+        <translation>Es wurde nie unter einem Namen gespeichert.</translation>
+    </message>
+    <message>
+        <source>It was painted on a part of %1 facets, and this one has %2: paint it anew.</source>
+        <translation>Sie wurde auf einem Teil mit %1 Facetten gemalt, und dieses hat %2: neu malen.</translation>
+    </message>
+    <message>
+        <source>Keep for this point</source>
+        <translation>Für diesen Punkt festhalten</translation>
+    </message>
+    <message>
+        <source>Keep operations, tools and settings of this setup for other parts</source>
+        <translation>Operationen, Werkzeuge und Einstellungen dieser Aufspannung für andere Teile aufbewahren</translation>
+    </message>
+    <message>
+        <source>Keep posture</source>
+        <translation>Stellung festhalten</translation>
+    </message>
+    <message>
+        <source>Keep the tried posture for this point; planning again uses it</source>
+        <translation>Die probierte Stellung für diesen Punkt festhalten; neues Planen verwendet sie</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Festgehalten</translation>
+    </message>
+    <message>
+        <source>Kept as template “%1”: %2.</source>
+        <translation>Als Vorlage „%1“ aufbewahrt: %2.</translation>
+    </message>
+    <message>
+        <source>Kept lead %1, yaw %2 for the point. Plan again to use it.</source>
+        <translation>Anstellwinkel %1, Taumelwinkel %2 für den Punkt festgehalten. Neu planen, um sie zu verwenden.</translation>
+    </message>
+    <message>
+        <source>Kept with the project what was planned and verified: %1 MB in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept: %1</source>
+        <translation>Festgehalten: %1</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Larger letters (Ctrl++)</source>
+        <translation>Größere Schrift (Strg++)</translation>
+    </message>
+    <message>
+        <source>Largest first</source>
+        <translation>Größte zuerst</translation>
+    </message>
+    <message>
+        <source>Lay down, zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay it on a face</source>
+        <translation>Auf eine Fläche legen</translation>
+    </message>
+    <message>
+        <source>Lay on face</source>
+        <translation>Auf Fläche legen</translation>
+    </message>
+    <message>
+        <source>Lay on this face</source>
+        <translation>Auf diese Fläche legen</translation>
+    </message>
+    <message>
+        <source>Lay part by its principal axes</source>
+        <translation>Teil nach seinen Hauptachsen legen</translation>
+    </message>
+    <message>
+        <source>Lay part on face</source>
+        <translation>Teil auf Fläche legen</translation>
+    </message>
+    <message>
+        <source>Lay part on three points</source>
+        <translation>Teil auf drei Punkte legen</translation>
+    </message>
+    <message>
+        <source>Lay the part on a face of the list, then put the zero on the stock: press P.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the part on a face, turn, move or mirror it (P)</source>
+        <translation>Das Teil auf eine Fläche legen, drehen, verschieben oder spiegeln (P)</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Layer %1 of %2, z %3</source>
+        <translation>Ebene %1 von %2, z %3</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Lead limit (°), tool D %1</source>
+        <translation>Grenze des Anstellwinkels (°), Werkzeug D %1</translation>
+    </message>
+    <message>
+        <source>Least by this estimate: lead limit %1 with this tool, %2; of all tools D %3 with %4, %5.</source>
+        <translation>Am wenigsten nach dieser Schätzung: Grenze %1 mit diesem Werkzeug, %2; von allen Werkzeugen D %3 mit %4, %5.</translation>
+    </message>
+    <message>
+        <source>Leave it out of plan, verification and programs, as if it were not there</source>
+        <translation>Aus Plan, Prüfung und Programmen lassen, als gäbe es sie nicht</translation>
+    </message>
+    <message>
+        <source>Left end: all layers; then one layer alone, from the top down</source>
+        <translation>Linkes Ende: alle Ebenen; dann eine allein, von oben nach unten</translation>
+    </message>
+    <message>
+        <source>Left for clean-up</source>
+        <translation>Der Restbearbeitung überlassen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length, %1</source>
+        <translation>Länge, %1</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Lies,
+%1</source>
+        <translation>Aufliegend,
+%1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Links between cuts, approach and retract, at feed</source>
+        <translation>Verbindungen zwischen Schnitten, Anfahren und Rückzug, im Vorschub</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Locate it, or put it back: the rest of the project stays as it is.</source>
+        <translation>Suchen oder zurücklegen: das übrige Projekt bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Locate “%1”</source>
+        <translation>„%1“ suchen</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>Suchen…</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Looking at the pass…</source>
+        <translation>Die Bahn wird untersucht…</translation>
+    </message>
+    <message>
+        <source>Looking at the path</source>
+        <translation>Der Weg wird untersucht</translation>
+    </message>
+    <message>
+        <source>Looking for a hole</source>
+        <translation>Ein Loch wird gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for faces to lie on</source>
+        <translation>Flächen zum Auflegen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for faces to lie on…</source>
+        <translation>Flächen zum Auflegen werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Looking for holes, pieces and other flaws…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for the face</source>
+        <translation>Die Fläche wird gesucht</translation>
+    </message>
+    <message>
+        <source>Looking over the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loose pieces, holes, noise, facets: what is wrong with the mesh, and a recipe that mends it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Machine and control</source>
+        <translation>Maschine und Steuerung</translation>
+    </message>
+    <message>
+        <source>Machining time</source>
+        <translation>Bearbeitungszeit</translation>
+    </message>
+    <message>
+        <source>Machining time until here, and of all operations</source>
+        <translation>Bearbeitungszeit bis hier und aller Operationen</translation>
+    </message>
+    <message>
+        <source>Make another mesh the part; operations, tools and the rest stay as they are</source>
+        <translation>Ein anderes Netz zum Teil machen; Operationen, Werkzeuge und alles Übrige bleiben</translation>
+    </message>
+    <message>
+        <source>Makes the part its mirror image: left and right along %1 change places. A part made so is another one.</source>
+        <translation>Macht aus dem Teil sein Spiegelbild: links und rechts entlang %1 tauschen die Plätze. Ein so gefertigtes Teil ist ein anderes.</translation>
+    </message>
+    <message>
+        <source>Making %1</source>
+        <translation>%1 wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Material is left on %1 of the area to be cut.</source>
+        <translation>Auf %1 der zu fräsenden Fläche bleibt Material stehen.</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mend the part's mesh: loose pieces, holes, noise, facets (R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Netze (%1)</translation>
+    </message>
+    <message>
+        <source>Meshes and projects (%1 *.facetmill);;All files (*)</source>
+        <translation>Netze und Projekte (%1 *.facetmill);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Meshes are in</source>
+        <translation>Netze sind in</translation>
+    </message>
+    <message>
+        <source>Mesh…</source>
+        <translation>Netz…</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>An %1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror part in %1</source>
+        <translation>Teil an %1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Missing too: %1.</source>
+        <translation>Es fehlen auch: %1.</translation>
+    </message>
+    <message>
+        <source>More excess than this has the last blue</source>
+        <translation>Größere Überstände als dieser haben das letzte Blau</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>Mouse &amp;like</source>
+        <translation>&amp;Maus wie</translation>
+    </message>
+    <message>
+        <source>Mouse, colours, machine of new projects, threads (Ctrl+,)</source>
+        <translation>Maus, Farben, Maschine neuer Projekte, Threads (Strg+,)</translation>
+    </message>
+    <message>
+        <source>Move along X</source>
+        <translation>Entlang X verschieben</translation>
+    </message>
+    <message>
+        <source>Move along Y</source>
+        <translation>Entlang Y verschieben</translation>
+    </message>
+    <message>
+        <source>Move along Z</source>
+        <translation>Entlang Z verschieben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Move fixture “%1”</source>
+        <translation>Spannmittel „%1“ verschieben</translation>
+    </message>
+    <message>
+        <source>Move operation</source>
+        <translation>Operation verschieben</translation>
+    </message>
+    <message>
+        <source>Move part along %1</source>
+        <translation>Teil entlang %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move setup</source>
+        <translation>Aufspannung verschieben</translation>
+    </message>
+    <message>
+        <source>Move the boundary of the chosen region inward, never inside of what is uncut</source>
+        <translation>Die Begrenzung des gewählten Bereichs nach innen schieben, nie in das hinein, was stehen bleibt</translation>
+    </message>
+    <message>
+        <source>Move the boundary of the chosen region outward</source>
+        <translation>Die Begrenzung des gewählten Bereichs nach außen schieben</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move: Ctrl + middle</source>
+        <translation>Verschieben: Strg + Mitte</translation>
+    </message>
+    <message>
+        <source>Move: Shift + middle</source>
+        <translation>Verschieben: Umschalt + Mitte</translation>
+    </message>
+    <message>
+        <source>Move: middle button</source>
+        <translation>Verschieben: mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Move: middle button, or Ctrl + right</source>
+        <translation>Verschieben: mittlere Taste oder Strg + rechts</translation>
+    </message>
+    <message>
+        <source>Move: middle, or Shift + left</source>
+        <translation>Verschieben: Mitte oder Umschalt + links</translation>
+    </message>
+    <message>
+        <source>Moved at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the middle of the part's box to X 0, Y 0</source>
+        <translation>Verschiebt die Mitte des Quaders um das Teil nach X 0, Y 0</translation>
+    </message>
+    <message>
+        <source>Moves the part along Z until its lowest point has Z 0</source>
+        <translation>Verschiebt das Teil entlang Z, bis sein tiefster Punkt Z 0 hat</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name a mesh file</source>
+        <translation>Eine Netzdatei angeben</translation>
+    </message>
+    <message>
+        <source>New from sa&amp;mple</source>
+        <translation>Neu aus Be&amp;ispiel</translation>
+    </message>
+    <message>
+        <source>New from sample</source>
+        <translation>Neu aus Beispiel</translation>
+    </message>
+    <message>
+        <source>New projects</source>
+        <translation>Neue Projekte</translation>
+    </message>
+    <message>
+        <source>New projects are for</source>
+        <translation>Neue Projekte sind für</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next pass (↓)</source>
+        <translation>Nächste Bahn (↓)</translation>
+    </message>
+    <message>
+        <source>Next point on the pass (→; Shift: ten)</source>
+        <translation>Nächster Punkt der Bahn (→; Umschalt: zehn)</translation>
+    </message>
+    <message>
+        <source>No defects found.</source>
+        <translation>Keine Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>No operation turns the part: there is nothing to unroll</source>
+        <translation>Keine Operation dreht das Teil: es gibt nichts abzuwickeln</translation>
+    </message>
+    <message>
+        <source>No part has been read.</source>
+        <translation>Es wurde kein Teil gelesen.</translation>
+    </message>
+    <message>
+        <source>No path is planned.</source>
+        <translation>Kein Weg ist geplant.</translation>
+    </message>
+    <message>
+        <source>No place is hollow: any tool matches.</source>
+        <translation>Keine Stelle ist hohl: jedes Werkzeug passt.</translation>
+    </message>
+    <message>
+        <source>No place needs a lead above %1°: the main path cuts all of the part, there is nothing to rework.</source>
+        <translation>Keine Stelle braucht einen Anstellwinkel über %1°: der Hauptweg fräst das ganze Teil, es gibt nichts nachzuarbeiten.</translation>
+    </message>
+    <message>
+        <source>No point</source>
+        <translation>Kein Punkt</translation>
+    </message>
+    <message>
+        <source>No posture</source>
+        <translation>Keine Stellung</translation>
+    </message>
+    <message>
+        <source>No posture is free: the point is left to clean-up</source>
+        <translation>Keine Stellung ist frei: der Punkt bleibt der Restbearbeitung</translation>
+    </message>
+    <message>
+        <source>No step yet: the file is taken as it is. Suggest makes a recipe for what was found; Add takes single steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>No tool has “%1”.</source>
+        <translation>Kein Werkzeug hat „%1“.</translation>
+    </message>
+    <message>
+        <source>No tool is kept yet. Import a library of another program, or keep the tools of this project.</source>
+        <translation>Noch ist kein Werkzeug aufbewahrt. Die Bibliothek eines anderen Programms importieren oder die Werkzeuge dieses Projekts aufbewahren.</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>None is kept yet</source>
+        <translation>Noch keine aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Normal change</source>
+        <translation>Änderung der Normalen</translation>
+    </message>
+    <message>
+        <source>Not all that was planned is kept with the project: it would be more than %1 MB. It is planned again when the project is opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not enough memory (close other programs or use a smaller part)</source>
+        <translation>Zu wenig Speicher (andere Programme schließen oder ein kleineres Teil nehmen)</translation>
+    </message>
+    <message>
+        <source>Not enough memory to play back the stock</source>
+        <translation>Zu wenig Speicher, um das Rohteil abzuspielen</translation>
+    </message>
+    <message>
+        <source>Not planned</source>
+        <translation>Nicht geplant</translation>
+    </message>
+    <message>
+        <source>Not restored: %1. It is offered again at the next start.</source>
+        <translation>Nicht wiederhergestellt: %1. Beim nächsten Start wird es wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>Not studied. Step on, or pick a point.</source>
+        <translation>Nicht untersucht. Weitergehen oder einen Punkt wählen.</translation>
+    </message>
+    <message>
+        <source>Not verified</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Not verified (in %1), it cannot be judged: %2.</source>
+        <translation>Nicht geprüft (in %1), nicht beurteilbar: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can be compared while a value is not right.</source>
+        <translation>Solange ein Wert falsch ist, kann nichts verglichen werden.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written into this folder: choose another one.</source>
+        <translation>In diesen Ordner kann nichts geschrieben werden: einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing has all these words.</source>
+        <translation>Nichts enthält alle diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet.</source>
+        <translation>Noch ist nichts geschehen.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut</source>
+        <translation>Nichts wird gefräst</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nichts ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Nothing moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to do: %1. No program is written for it.</source>
+        <translation>Nichts zu tun: %1. Dafür wird kein Programm geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing to play back yet: plan first (F5).</source>
+        <translation>Noch nichts abzuspielen: zuerst planen (F5).</translation>
+    </message>
+    <message>
+        <source>Nothing was found that a recipe would mend.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Nichts wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Nothing was judged</source>
+        <translation>Nichts wurde beurteilt</translation>
+    </message>
+    <message>
+        <source>Nothing was kept</source>
+        <translation>Nichts wurde aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Nothing was taken over</source>
+        <translation>Nichts wurde übernommen</translation>
+    </message>
+    <message>
+        <source>Nothing was written</source>
+        <translation>Nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>Number %1 belongs to another tool</source>
+        <translation>Nummer %1 gehört einem anderen Werkzeug</translation>
+    </message>
+    <message>
+        <source>Number of regions</source>
+        <translation>Anzahl der Bereiche</translation>
+    </message>
+    <message>
+        <source>Number of rework regions</source>
+        <translation>Anzahl der Nacharbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Number of the GOTO in the operation's program</source>
+        <translation>Nummer des GOTO im Programm der Operation</translation>
+    </message>
+    <message>
+        <source>Of earlier jobs there: %1.</source>
+        <translation>Von früheren Aufträgen dort: %1.</translation>
+    </message>
+    <message>
+        <source>Of the part</source>
+        <translation>Des Teils</translation>
+    </message>
+    <message>
+        <source>Of the stock</source>
+        <translation>Des Rohteils</translation>
+    </message>
+    <message>
+        <source>Of which operation</source>
+        <translation>Welcher Operation</translation>
+    </message>
+    <message>
+        <source>On 3 points</source>
+        <translation>Auf 3 Punkte</translation>
+    </message>
+    <message>
+        <source>On →</source>
+        <translation>Ein →</translation>
+    </message>
+    <message>
+        <source>One motion back (,)</source>
+        <translation>Eine Bewegung zurück (,)</translation>
+    </message>
+    <message>
+        <source>One motion on (.)</source>
+        <translation>Eine Bewegung weiter (.)</translation>
+    </message>
+    <message>
+        <source>One operation is as it was planned: it was kept with the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is cut up to “%1” has been verified.</source>
+        <translation>Geprüft ist nur, was bis „%1“ gefräst wird.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a project, and this panel tells what it holds.</source>
+        <translation>Ein Netz oder ein Projekt öffnen: hier steht dann, was es enthält.</translation>
+    </message>
+    <message>
+        <source>Open a mesh or drop one here</source>
+        <translation>Netz öffnen oder hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Open a mesh, drop one here, or take a sample. STL files carry no unit: the sizes tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Open pro&amp;gram…</source>
+        <translation>Pro&amp;gramm öffnen…</translation>
+    </message>
+    <message>
+        <source>Open program</source>
+        <translation>Programm öffnen</translation>
+    </message>
+    <message>
+        <source>Opened %1.</source>
+        <translation>%1 geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>Operations, tools and settings as</source>
+        <translation>Operationen, Werkzeuge und Einstellungen als</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Out of date: plan again</source>
+        <translation>Veraltet: neu planen</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Unerreichbar</translation>
+    </message>
+    <message>
+        <source>Over the lead limit: click or drag to set it. Wheel: zoom. Right drag: move.</source>
+        <translation>Über der Grenze des Anstellwinkels: klicken oder ziehen, um sie zu setzen. Rad: Zoom. Rechts ziehen: verschieben.</translation>
+    </message>
+    <message>
+        <source>Over the tolerance %1</source>
+        <translation>Über der Toleranz %1</translation>
+    </message>
+    <message>
+        <source>P&amp;lace part…</source>
+        <translation>Teil &amp;legen…</translation>
+    </message>
+    <message>
+        <source>P&amp;review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packed %1 files into %2.</source>
+        <translation>%1 Dateien in %2 gepackt.</translation>
+    </message>
+    <message>
+        <source>Packing %1</source>
+        <translation>%1 wird gepackt</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Paint a face: up to edges where the surface turns by more</source>
+        <translation>Eine Fläche malen: bis zu Kanten, an denen sie um mehr abknickt</translation>
+    </message>
+    <message>
+        <source>Paint facets</source>
+        <translation>Facetten malen</translation>
+    </message>
+    <message>
+        <source>Paint what lies wholly in a rectangle</source>
+        <translation>Malen, was ganz in einem Rechteck liegt</translation>
+    </message>
+    <message>
+        <source>Paint what the ring touches</source>
+        <translation>Malen, was der Ring berührt</translation>
+    </message>
+    <message>
+        <source>Painted facets</source>
+        <translation>Gemalte Facetten</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Part &amp;shading</source>
+        <translation>&amp;Darstellung des Teils</translation>
+    </message>
+    <message>
+        <source>Part's origin</source>
+        <translation>Ursprung des Teils</translation>
+    </message>
+    <message>
+        <source>Pass %1 of %2</source>
+        <translation>Bahn %1 von %2</translation>
+    </message>
+    <message>
+        <source>Pass %1, point %2 of %3 · %4</source>
+        <translation>Bahn %1, Punkt %2 von %3 · %4</translation>
+    </message>
+    <message>
+        <source>Pass %1, point %2: lead %3, yaw %4</source>
+        <translation>Bahn %1, Punkt %2: Anstellwinkel %3, Taumelwinkel %4</translation>
+    </message>
+    <message>
+        <source>Pass before (↑)</source>
+        <translation>Vorherige Bahn (↑)</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Passes side by side over the surface, with an upright tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste operation</source>
+        <translation>Operation einfügen</translation>
+    </message>
+    <message>
+        <source>Path by</source>
+        <translation>Weg nach</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pe&amp;rspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Pick a point on the path of a planned 5-axis operation</source>
+        <translation>Einen Punkt auf dem Weg einer geplanten 5-Achs-Operation wählen</translation>
+    </message>
+    <message>
+        <source>Pick in the view</source>
+        <translation>In der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Pick it in the view</source>
+        <translation>In der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Place along the strip</source>
+        <translation>Stelle entlang des Streifens</translation>
+    </message>
+    <message>
+        <source>Place along the strip; a click on the strip in the view goes there, too</source>
+        <translation>Stelle entlang des Streifens; ein Klick auf den Streifen in der Ansicht geht auch dorthin</translation>
+    </message>
+    <message>
+        <source>Place of the pass across the travel (%1)</source>
+        <translation>Lage der Bahn quer zur Fahrt (%1)</translation>
+    </message>
+    <message>
+        <source>Place part</source>
+        <translation>Teil legen</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>Gefundene Stellen</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Plan all &amp;setups</source>
+        <translation>Alle &amp;Aufspannungen planen</translation>
+    </message>
+    <message>
+        <source>Plan all operations (F5)</source>
+        <translation>Alle Operationen planen (F5)</translation>
+    </message>
+    <message>
+        <source>Plan an operation to see it here</source>
+        <translation>Eine Operation planen, um sie hier zu sehen</translation>
+    </message>
+    <message>
+        <source>Plan and verify</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan anyway</source>
+        <translation>Trotzdem planen</translation>
+    </message>
+    <message>
+        <source>Plan every setup, each on the stock that those before it leave (Shift+F5)</source>
+        <translation>Jede Aufspannung planen, jede auf dem Rohteil, das die vorherigen lassen (Umschalt+F5)</translation>
+    </message>
+    <message>
+        <source>Plan that much?</source>
+        <translation>So viel planen?</translation>
+    </message>
+    <message>
+        <source>Plan this operation</source>
+        <translation>Diese Operation planen</translation>
+    </message>
+    <message>
+        <source>Plan what is not planned yet, and judge all setups as one job (Shift+F6)</source>
+        <translation>Planen, was noch nicht geplant ist, und alle Aufspannungen als einen Auftrag beurteilen (Umschalt+F6)</translation>
+    </message>
+    <message>
+        <source>Plan “%1” to see its strips here</source>
+        <translation>„%1“ planen, um die Streifen hier zu sehen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Planned as kept: </source>
+        <translation>Geplant wie festgehalten: </translation>
+    </message>
+    <message>
+        <source>Planned in</source>
+        <translation>Geplant in</translation>
+    </message>
+    <message>
+        <source>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</source>
+        <translation>„%1“ in %2 geplant: %3 Bahnen, Schnittlänge %4, Bearbeitungszeit %5.</translation>
+    </message>
+    <message>
+        <source>Planned: </source>
+        <translation>Geplant: </translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>Wird geplant</translation>
+    </message>
+    <message>
+        <source>Planning all setups</source>
+        <translation>Alle Aufspannungen werden geplant</translation>
+    </message>
+    <message>
+        <source>Planning it takes %1.</source>
+        <translation>Das Planen braucht %1.</translation>
+    </message>
+    <message>
+        <source>Plate below</source>
+        <translation>Platte darunter</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Point before on the pass (←; Shift: ten)</source>
+        <translation>Vorheriger Punkt der Bahn (←; Umschalt: zehn)</translation>
+    </message>
+    <message>
+        <source>Points with a posture kept by hand</source>
+        <translation>Punkte mit von Hand festgehaltener Stellung</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Press Plan (F5) to plan it.</source>
+        <translation>Mit Planen (F5) planen.</translation>
+    </message>
+    <message>
+        <source>Preview: %1 layers</source>
+        <translation>Vorschau: %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>Preview: 1 layer</source>
+        <translation>Vorschau: 1 Ebene</translation>
+    </message>
+    <message>
+        <source>Previous tool at the picked point</source>
+        <translation>Vorheriges Werkzeug am gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>Principal axes</source>
+        <translation>Hauptachsen</translation>
+    </message>
+    <message>
+        <source>Programs count from here; a corner or an edge nearby is taken exactly</source>
+        <translation>Programme zählen von hier; eine nahe Ecke oder Kante wird genau genommen</translation>
+    </message>
+    <message>
+        <source>Programs count from the origin of the part's coordinates</source>
+        <translation>Programme zählen vom Ursprung der Koordinaten des Teils</translation>
+    </message>
+    <message>
+        <source>Progress of the preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Put the steps away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the steps away; Help shows them again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the tools of the project into a library of its name</source>
+        <translation>Die Werkzeuge des Projekts in eine Bibliothek seines Namens legen</translation>
+    </message>
+    <message>
+        <source>Puts steps for what was found in the place of the recipe, to be changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the recipe into the project, as one step that can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Range from the tolerance</source>
+        <translation>Bereich aus der Toleranz</translation>
+    </message>
+    <message>
+        <source>Range of slope</source>
+        <translation>Neigungsbereich</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>Bereich: %1</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Rapid length</source>
+        <translation>Eilganglänge</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>Re&amp;place part…</source>
+        <translation>Teil erse&amp;tzen…</translation>
+    </message>
+    <message>
+        <source>Read %1: %2 facets.</source>
+        <translation>%1 gelesen: %2 Facetten.</translation>
+    </message>
+    <message>
+        <source>Read over: %1</source>
+        <translation>Übergangen: %1</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading what was planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove boundary</source>
+        <translation>Begrenzung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove fixture</source>
+        <translation>Spannmittel entfernen</translation>
+    </message>
+    <message>
+        <source>Remove kept posture</source>
+        <translation>Festgehaltene Stellung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove operation</source>
+        <translation>Operation entfernen</translation>
+    </message>
+    <message>
+        <source>Remove setup</source>
+        <translation>Aufspannung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected material</source>
+        <translation>Den gewählten Werkstoff entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected section</source>
+        <translation>Den gewählten Abschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the step (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove tool</source>
+        <translation>Werkzeug entfernen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename boundary</source>
+        <translation>Begrenzung umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename fixture</source>
+        <translation>Spannmittel umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename operation</source>
+        <translation>Operation umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename setup</source>
+        <translation>Aufspannung umbenennen</translation>
+    </message>
+    <message>
+        <source>Repair part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace part</source>
+        <translation>Teil ersetzen</translation>
+    </message>
+    <message>
+        <source>Replaced there: %1.</source>
+        <translation>Dort ersetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Rest material</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>Restored “%1” as it stood on %2. Save it: until then it is kept in %3.</source>
+        <translation>„%1“ wiederhergestellt, wie es am %2 war. Speichern: bis dahin liegt es in %3.</translation>
+    </message>
+    <message>
+        <source>Rework</source>
+        <translation>Nacharbeit</translation>
+    </message>
+    <message>
+        <source>Rework (% of the surface)</source>
+        <translation>Nacharbeit (% der Fläche)</translation>
+    </message>
+    <message>
+        <source>Rework and clean-up regions on the part's surface</source>
+        <translation>Bereiche der Nacharbeit und Restbearbeitung auf der Fläche des Teils</translation>
+    </message>
+    <message>
+        <source>Rework regions</source>
+        <translation>Nacharbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Rework regions…</source>
+        <translation>Nacharbeitsbereiche…</translation>
+    </message>
+    <message>
+        <source>Roll anticlockwise</source>
+        <translation>Gegen den Uhrzeigersinn rollen</translation>
+    </message>
+    <message>
+        <source>Roll clockwise</source>
+        <translation>Im Uhrzeigersinn rollen</translation>
+    </message>
+    <message>
+        <source>Running these programs can damage part, tool and machine.</source>
+        <translation>Diese Programme laufen zu lassen kann Teil, Werkzeug und Maschine beschädigen.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as template…</source>
+        <translation>&amp;Als Vorlage speichern…</translation>
+    </message>
+    <message>
+        <source>Same tool axis for all operations</source>
+        <translation>Dieselbe Werkzeugachse für alle Operationen</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save as template</source>
+        <translation>Als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>Save pac&amp;ked copy…</source>
+        <translation>Gepac&amp;kte Kopie speichern…</translation>
+    </message>
+    <message>
+        <source>Save packed copy</source>
+        <translation>Gepackte Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Say where a file is that the project names and that is not there</source>
+        <translation>Sagen, wo eine Datei ist, die das Projekt nennt und die fehlt</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>Skalieren mit</translation>
+    </message>
+    <message>
+        <source>Scale part by %1</source>
+        <translation>Teil mit %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Scan room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan room: %1 steps…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan room: 1 step…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan room…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Search the manual (Ctrl+F)</source>
+        <translation>Im Handbuch suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>See the part turn under a standing tool, as on the machine</source>
+        <translation>Das Teil unter stehendem Werkzeug drehen sehen, wie auf der Maschine</translation>
+    </message>
+    <message>
+        <source>Seen from above: 0° leans towards X, 90° towards Y</source>
+        <translation>Von oben gesehen: 0° neigt nach X, 90° nach Y</translation>
+    </message>
+    <message>
+        <source>Select something in the project to see its parameters.</source>
+        <translation>Etwas im Projekt auswählen, um seine Parameter zu sehen.</translation>
+    </message>
+    <message>
+        <source>Set the lead limit to it</source>
+        <translation>Die Grenze des Anstellwinkels darauf setzen</translation>
+    </message>
+    <message>
+        <source>Set work zero</source>
+        <translation>Werkstücknullpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Sets corner radius and angles; every value can be changed afterwards.</source>
+        <translation>Setzt Eckenradius und Winkel; jeder Wert kann danach geändert werden.</translation>
+    </message>
+    <message>
+        <source>Settings of Rework Region</source>
+        <translation>Einstellungen der Nacharbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Settings of Rework Region – %1</source>
+        <translation>Einstellungen der Nacharbeitsbereiche – %1</translation>
+    </message>
+    <message>
+        <source>Settings of Rework Region: see, limit and edit what the smaller tool cuts</source>
+        <translation>Einstellungen der Nacharbeitsbereiche: sehen, begrenzen und ändern, was das kleinere Werkzeug fräst</translation>
+    </message>
+    <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Share of the area, highest %1</source>
+        <translation>Anteil der Fläche, höchstens %1</translation>
+    </message>
+    <message>
+        <source>Share of the surface that faces the table without lying on it: no tool from above comes there</source>
+        <translation>Anteil der Fläche, die zum Tisch zeigt, ohne aufzuliegen: dorthin kommt kein Werkzeug von oben</translation>
+    </message>
+    <message>
+        <source>Shells</source>
+        <translation>Schalen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show all of it (double click, Home)</source>
+        <translation>Alles zeigen (Doppelklick, Pos1)</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Show paths</source>
+        <translation>Wege zeigen</translation>
+    </message>
+    <message>
+        <source>Show stock</source>
+        <translation>Rohteil zeigen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;steps of a first job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole chart (double click, Home)</source>
+        <translation>Das ganze Diagramm zeigen (Doppelklick, Pos1)</translation>
+    </message>
+    <message>
+        <source>Show their folder</source>
+        <translation>Ihren Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show, play back and verify an existing program (%1) without planning</source>
+        <translation>Ein vorhandenes Programm (%1) ohne Planen zeigen, abspielen und prüfen</translation>
+    </message>
+    <message>
+        <source>Showing %1 in place of the plan, until something is planned or File &gt; Close program.</source>
+        <translation>Gezeigt wird %1 anstelle des Plans, bis etwas geplant wird oder Datei &gt; Programm schließen.</translation>
+    </message>
+    <message>
+        <source>Shows the stock as it stands after “%1”</source>
+        <translation>Zeigt das Rohteil, wie es nach „%1“ steht</translation>
+    </message>
+    <message>
+        <source>Shows the tool that cut before, where it touches the part at two places over the strip and can go no deeper. Clicks on a strip in the view then mean the strip, not the path on it.</source>
+        <translation>Zeigt das vorher fräsende Werkzeug, wo es das Teil an zwei Stellen über dem Streifen berührt und nicht tiefer kommt. Klicks auf einen Streifen in der Ansicht meinen dann den Streifen, nicht den Weg darauf.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Shrink painted facets</source>
+        <translation>Gemalte Facetten verkleinern</translation>
+    </message>
+    <message>
+        <source>Side feed</source>
+        <translation>Seitenvorschub</translation>
+    </message>
+    <message>
+        <source>Silhouette of the part</source>
+        <translation>Umriss des Teils</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation>Größe: %1</translation>
+    </message>
+    <message>
+        <source>Size: %1, scaled by %2</source>
+        <translation>Größe: %1, skaliert mit %2</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Smaller letters (Ctrl+−)</source>
+        <translation>Kleinere Schrift (Strg+−)</translation>
+    </message>
+    <message>
+        <source>Smallest stock</source>
+        <translation>Kleinstes Rohteil</translation>
+    </message>
+    <message>
+        <source>SolidWorks</source>
+        <translation>SolidWorks</translation>
+    </message>
+    <message>
+        <source>Some libraries cannot be read</source>
+        <translation>Einige Bibliotheken sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Special</source>
+        <translation>Sonderform</translation>
+    </message>
+    <message>
+        <source>Square up</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Square up part</source>
+        <translation>Teil ausrichten</translation>
+    </message>
+    <message>
+        <source>Step %1 could not be carried out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Step-over (%1)</source>
+        <translation>Bahnabstand (%1)</translation>
+    </message>
+    <message>
+        <source>Steps of the recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Stock after it</source>
+        <translation>Rohteil danach</translation>
+    </message>
+    <message>
+        <source>Stock after “%1”</source>
+        <translation>Rohteil nach „%1“</translation>
+    </message>
+    <message>
+        <source>Stock mesh</source>
+        <translation>Netz des Rohteils</translation>
+    </message>
+    <message>
+        <source>Stock turns in</source>
+        <translation>Rohteil dreht sich in</translation>
+    </message>
+    <message>
+        <source>Stock: %1</source>
+        <translation>Rohteil: %1</translation>
+    </message>
+    <message>
+        <source>Stock: box</source>
+        <translation>Rohteil: Quader</translation>
+    </message>
+    <message>
+        <source>Stock: cylinder</source>
+        <translation>Rohteil: Zylinder</translation>
+    </message>
+    <message>
+        <source>Stock: rest of “%1”</source>
+        <translation>Rohteil: Rest von „%1“</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the preview (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straighten, move, mirror</source>
+        <translation>Geraderichten, verschieben, spiegeln</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Strips</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Strips of clean-up come here: add a clean-up operation and plan it</source>
+        <translation>Hier stehen die Streifen der Restbearbeitung: eine solche Operation hinzufügen und planen</translation>
+    </message>
+    <message>
+        <source>Su&amp;ggest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface to rework</source>
+        <translation>Nachzuarbeitende Fläche</translation>
+    </message>
+    <message>
+        <source>Switch %1 off</source>
+        <translation>%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch %1 on</source>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch off operation</source>
+        <translation>Operation ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch on operation</source>
+        <translation>Operation einschalten</translation>
+    </message>
+    <message>
+        <source>Switch region off</source>
+        <translation>Bereich ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch region on</source>
+        <translation>Bereich einschalten</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Switched off: it is not cut</source>
+        <translation>Ausgeschaltet: wird nicht gefräst</translation>
+    </message>
+    <message>
+        <source>T%1</source>
+        <translation>T%1</translation>
+    </message>
+    <message>
+        <source>T%1  %2</source>
+        <translation>T%1  %2</translation>
+    </message>
+    <message>
+        <source>T%1  %2
+%3, %4</source>
+        <translation>T%1  %2
+%3, %4</translation>
+    </message>
+    <message>
+        <source>T%1 in regions</source>
+        <translation>T%1 in Bereichen</translation>
+    </message>
+    <message>
+        <source>T%1, %2 %3</source>
+        <translation>T%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>T&amp;hreads</source>
+        <translation>T&amp;hreads</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tabs round the part</source>
+        <translation>Haltestege um das Teil</translation>
+    </message>
+    <message>
+        <source>Take a holder of the tool library</source>
+        <translation>Einen Halter der Werkzeugbibliothek nehmen</translation>
+    </message>
+    <message>
+        <source>Take all facets out</source>
+        <translation>Alle Facetten herausnehmen</translation>
+    </message>
+    <message>
+        <source>Take facets out. Shift does the other of the two.</source>
+        <translation>Facetten herausnehmen. Umschalt tut das jeweils andere.</translation>
+    </message>
+    <message>
+        <source>Take in what lies so near, along edges</source>
+        <translation>Hinzunehmen, was so nahe liegt, entlang der Kanten</translation>
+    </message>
+    <message>
+        <source>Take out what lies so near to the border, along edges</source>
+        <translation>Wegnehmen, was so nahe am Rand liegt, entlang der Kanten</translation>
+    </message>
+    <message>
+        <source>Take over tools of FreeCAD, Fusion, LinuxCNC, CAMotics or Kiri:Moto</source>
+        <translation>Werkzeuge von FreeCAD, Fusion, LinuxCNC, CAMotics oder Kiri:Moto übernehmen</translation>
+    </message>
+    <message>
+        <source>Takes the stock down layer by layer, and leaves an allowance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the stock of a turning part down in passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tapered ball</source>
+        <translation>Konisch mit Kugel</translation>
+    </message>
+    <message>
+        <source>Tapered flat</source>
+        <translation>Konisch flach</translation>
+    </message>
+    <message>
+        <source>Templates (*%1)</source>
+        <translation>Vorlagen (*%1)</translation>
+    </message>
+    <message>
+        <source>Texts and numbers of the window; programs and files are the same in all of them</source>
+        <translation>Texte und Zahlen des Fensters; Programme und Dateien sind in allen gleich</translation>
+    </message>
+    <message>
+        <source>That is beside the part: click on it, or press Esc.</source>
+        <translation>Das ist neben dem Teil: darauf klicken oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>The 3D view cannot be shown: %1.
+
+Install a graphics driver, or use facetmill-cli.</source>
+        <translation>Die 3D-Ansicht kann nicht gezeigt werden: %1.
+
+Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
+    </message>
+    <message>
+        <source>The box takes facets that are not seen from here as well</source>
+        <translation>Das Rechteck nimmt auch Facetten, die von hier nicht zu sehen sind</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no operation: copy one in the tree first (Ctrl+C).</source>
+        <translation>In der Zwischenablage ist keine Operation: zuerst eine im Baum kopieren (Strg+C).</translation>
+    </message>
+    <message>
+        <source>The edges of all facets</source>
+        <translation>Die Kanten aller Facetten</translation>
+    </message>
+    <message>
+        <source>The face is level now and %1 above the table: something else of the part reaches lower.</source>
+        <translation>Die Fläche liegt jetzt waagrecht und %1 über dem Tisch: etwas anderes am Teil reicht tiefer.</translation>
+    </message>
+    <message>
+        <source>The face under the pointer comes down on the table</source>
+        <translation>Die Fläche unter dem Zeiger kommt auf den Tisch</translation>
+    </message>
+    <message>
+        <source>The file of the part is missing</source>
+        <translation>Die Datei des Teils fehlt</translation>
+    </message>
+    <message>
+        <source>The file of the part is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder is made.</source>
+        <translation>Der Ordner wird angelegt.</translation>
+    </message>
+    <message>
+        <source>The folder is not empty: write the name of a new one.</source>
+        <translation>Der Ordner ist nicht leer: den Namen eines neuen eingeben.</translation>
+    </message>
+    <message>
+        <source>The left button paints, with Shift it erases; beside the part and with Ctrl it turns the view. Esc ends it.</source>
+        <translation>Die linke Taste malt, mit Umschalt radiert sie; neben dem Teil und mit Strg dreht sie die Ansicht. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>The library has no holders</source>
+        <translation>Die Bibliothek hat keine Halter</translation>
+    </message>
+    <message>
+        <source>The list had no tool small enough for this operation: T%1 %2 was added to it. Change it to one that you have.</source>
+        <translation>In der Liste war kein Werkzeug klein genug für diese Operation: T%1 %2 wurde hinzugefügt. In eines ändern, das vorhanden ist.</translation>
+    </message>
+    <message>
+        <source>The machine “%1” has no rotary axis</source>
+        <translation>Die Maschine „%1“ hat keine Drehachse</translation>
+    </message>
+    <message>
+        <source>The manual at the place of what has the keys (F1)</source>
+        <translation>Das Handbuch an der Stelle dessen, was die Tasten hat (F1)</translation>
+    </message>
+    <message>
+        <source>The manual is in English.</source>
+        <translation>Das Handbuch ist auf Englisch.</translation>
+    </message>
+    <message>
+        <source>The page after (Alt+→)</source>
+        <translation>Die nächste Seite (Alt+→)</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+←)</source>
+        <translation>Die vorige Seite (Alt+←)</translation>
+    </message>
+    <message>
+        <source>The part as it lies, its stock and fixtures (F7)</source>
+        <translation>Das Teil, wie es liegt, Rohteil und Spannmittel (F7)</translation>
+    </message>
+    <message>
+        <source>The part has not been read.</source>
+        <translation>Das Teil wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The part in the colours of what the verification found</source>
+        <translation>Das Teil in den Farben dessen, was die Prüfung fand</translation>
+    </message>
+    <message>
+        <source>The part in the colours of what the verification found (F9)</source>
+        <translation>Das Teil in den Farben dessen, was die Prüfung fand (F9)</translation>
+    </message>
+    <message>
+        <source>The part is %1 now, no longer as large as its file says. Cutters, allowances and tolerances stay as they are.</source>
+        <translation>Das Teil ist jetzt %1 und nicht mehr so groß, wie seine Datei sagt. Fräser, Aufmaße und Toleranzen bleiben.</translation>
+    </message>
+    <message>
+        <source>The part is %1 times as large as its file says; cutters and tolerances are not.</source>
+        <translation>Das Teil ist %1-mal so groß, wie seine Datei sagt; Fräser und Toleranzen sind es nicht.</translation>
+    </message>
+    <message>
+        <source>The part is being read…</source>
+        <translation>Das Teil wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The part is not read yet: there is nothing to pick.</source>
+        <translation>Das Teil ist noch nicht gelesen: es gibt nichts zu wählen.</translation>
+    </message>
+    <message>
+        <source>The part lies so already.</source>
+        <translation>Das Teil liegt schon so.</translation>
+    </message>
+    <message>
+        <source>The part was not read</source>
+        <translation>Das Teil wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>The part's chord tolerance is fixed from now on: with another one the painted facets would be others. A boundary of faces stays without that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part's surface</source>
+        <translation>Die Fläche des Teils</translation>
+    </message>
+    <message>
+        <source>The path cannot be judged: %1.</source>
+        <translation>Der Weg ist nicht beurteilbar: %1.</translation>
+    </message>
+    <message>
+        <source>The path failed verification: %1.</source>
+        <translation>Der Weg hat die Prüfung nicht bestanden: %1.</translation>
+    </message>
+    <message>
+        <source>The path has not been verified since the project was changed.</source>
+        <translation>Der Weg wurde seit der Änderung des Projekts nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The path has not been verified.</source>
+        <translation>Der Weg wurde nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The path has not been verified. Verifying cuts an independent model of the stock with it and compares what is left with the part (F6).</source>
+        <translation>Der Weg wurde nicht geprüft. Das Prüfen fräst damit ein unabhängiges Modell des Rohteils und vergleicht den Rest mit dem Teil (F6).</translation>
+    </message>
+    <message>
+        <source>The paths of all operations, not that of the chosen one alone</source>
+        <translation>Die Wege aller Operationen, nicht nur der gewählten</translation>
+    </message>
+    <message>
+        <source>The paths on the part (F8)</source>
+        <translation>Die Wege auf dem Teil (F8)</translation>
+    </message>
+    <message>
+        <source>The posture kept for the point is forgotten. Plan again to choose one.</source>
+        <translation>Die festgehaltene Stellung des Punktes ist vergessen. Neu planen, um eine zu wählen.</translation>
+    </message>
+    <message>
+        <source>The programs and their report are written into a folder: %1.</source>
+        <translation>Die Programme und ihr Bericht werden in einen Ordner geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>The project has changed since. What is shown here is of the plan as it was.</source>
+        <translation>Das Projekt hat sich seither geändert. Gezeigt wird der Plan, wie er war.</translation>
+    </message>
+    <message>
+        <source>The project's own file, %1, is newer: it was saved on %2. Restored, the older state is shown, and the file stays as it is until you save.</source>
+        <translation>Die Datei des Projekts, %1, ist neuer: gespeichert am %2. Wiederhergestellt wird der ältere Stand gezeigt; die Datei bleibt bis zum Speichern, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The project's own file, %1, is not there any more.</source>
+        <translation>Die Datei des Projekts, %1, ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>The project's own file, %1, was last saved on %2, and stays as it is until you save.</source>
+        <translation>Die Datei des Projekts, %1, wurde zuletzt am %2 gespeichert und bleibt bis zum Speichern, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The raw material; during playback as it is cut</source>
+        <translation>Das Rohmaterial; beim Abspielen, wie es gefräst wird</translation>
+    </message>
+    <message>
+        <source>The recipe is not the one of the preview.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recipe of the scan room was carried out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stock as the tool cuts it (F10)</source>
+        <translation>Das Rohteil, wie das Werkzeug es fräst (F10)</translation>
+    </message>
+    <message>
+        <source>The template cannot be applied: %1</source>
+        <translation>Die Vorlage kann nicht angewandt werden: %1</translation>
+    </message>
+    <message>
+        <source>The template was not kept. %1</source>
+        <translation>Die Vorlage wurde nicht aufbewahrt. %1</translation>
+    </message>
+    <message>
+        <source>The tool at the picked point of the path</source>
+        <translation>Das Werkzeug am gewählten Punkt des Wegs</translation>
+    </message>
+    <message>
+        <source>The tool leans, so that a flat or bull-nosed cutter leaves wide strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tried posture is not free: it would not be used</source>
+        <translation>Die probierte Stellung ist nicht frei: sie würde nicht verwendet</translation>
+    </message>
+    <message>
+        <source>The view shows the file's mesh, and tinted what the recipe takes away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view shows the stock as it stands when this operation has ended. The bar below the view plays it back.</source>
+        <translation>Die Ansicht zeigt das Rohteil, wie es am Ende dieser Operation steht. Die Leiste darunter spielt es ab.</translation>
+    </message>
+    <message>
+        <source>The view shows what the recipe makes, in colours of how far it moved, and tinted what is new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window speaks it after the next start.</source>
+        <translation>Das Fenster spricht sie nach dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>The zero is on the axis of a %1 of Ø %2, which is round to %3.</source>
+        <translation>Der Nullpunkt liegt auf der Achse: %1, Ø %2, rund auf %3.</translation>
+    </message>
+    <message>
+        <source>There are no regions while a value is not right.</source>
+        <translation>Solange ein Wert falsch ist, gibt es keine Bereiche.</translation>
+    </message>
+    <message>
+        <source>There is a file of this name: write another one.</source>
+        <translation>Eine Datei dieses Namens gibt es: einen anderen eingeben.</translation>
+    </message>
+    <message>
+        <source>There is a template “%1”. Replace it?</source>
+        <translation>Eine Vorlage „%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>There is no operation to plan: add one below the project tree.</source>
+        <translation>Es gibt keine Operation zu planen: unter dem Projektbaum eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>There is no operation to verify.</source>
+        <translation>Es gibt keine Operation zu prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no operation yet. Add one below the tree.</source>
+        <translation>Noch keine Operation. Unter dem Baum eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>There is no sample “%1”</source>
+        <translation>Es gibt kein Beispiel „%1“</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare</source>
+        <translation>Es gibt nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet: not every operation is planned as it stands. Press Plan (F5) first.</source>
+        <translation>Noch nichts zu exportieren: nicht jede Operation ist geplant, wie sie dasteht. Zuerst Planen (F5).</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet: this operation is not planned as it stands.</source>
+        <translation>Noch nichts zu exportieren: diese Operation ist nicht geplant, wie sie dasteht.</translation>
+    </message>
+    <message>
+        <source>There is nothing to tell yet: not every operation is planned as it stands. Press Plan (F5) first.</source>
+        <translation>Noch nichts zu berichten: nicht jede Operation ist geplant, wie sie dasteht. Zuerst Planen (F5).</translation>
+    </message>
+    <message>
+        <source>These values make no cutter.
+%1</source>
+        <translation>Diese Werte ergeben keinen Fräser.
+%1</translation>
+    </message>
+    <message>
+        <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
+        <translation>Das ist mehr Arbeit als üblich: eine Toleranz oder ein Bahnabstand ist vielleicht zu klein.</translation>
+    </message>
+    <message>
+        <source>This lead limit leaves the whole part uncut: raise it, or take a smaller tool.</source>
+        <translation>Diese Grenze lässt das ganze Teil stehen: sie erhöhen oder ein kleineres Werkzeug nehmen.</translation>
+    </message>
+    <message>
+        <source>This operation belongs to another setup. A double click in the tree goes there.</source>
+        <translation>Diese Operation gehört zu einer anderen Aufspannung. Ein Doppelklick im Baum wechselt dorthin.</translation>
+    </message>
+    <message>
+        <source>This recipe is in the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This setup alone was judged, not the whole job.</source>
+        <translation>Beurteilt wurde nur diese Aufspannung, nicht der ganze Auftrag.</translation>
+    </message>
+    <message>
+        <source>Time (%1)</source>
+        <translation>Zeit (%1)</translation>
+    </message>
+    <message>
+        <source>Time (h)</source>
+        <translation>Zeit (h)</translation>
+    </message>
+    <message>
+        <source>Time (min)</source>
+        <translation>Zeit (min)</translation>
+    </message>
+    <message>
+        <source>Times as fast as the machine, or motions per second</source>
+        <translation>Wievielmal so schnell wie die Maschine, oder Bewegungen je Sekunde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>To&amp;wards, from X</source>
+        <translation>&amp;Nach, ab X</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tool %1 does not touch at two places along it.</source>
+        <translation>Werkzeug %1 berührt entlang davon nicht an zwei Stellen.</translation>
+    </message>
+    <message>
+        <source>Tool %1 fits into it: its normals turn faster than the limit.</source>
+        <translation>Werkzeug %1 passt hinein: die Normalen drehen sich schneller als die Grenze.</translation>
+    </message>
+    <message>
+        <source>Tool %1 touches at %2 and %3 %4; it stays %5 above the bottom.</source>
+        <translation>Werkzeug %1 berührt bei %2 und %3 %4; es bleibt %5 über dem Grund.</translation>
+    </message>
+    <message>
+        <source>Tool axis by angles</source>
+        <translation>Werkzeugachse durch Winkel</translation>
+    </message>
+    <message>
+        <source>Tool axis by angles…</source>
+        <translation>Werkzeugachse durch Winkel…</translation>
+    </message>
+    <message>
+        <source>Tool axis of &lt;b&gt;%1&lt;/b&gt;, from the tip to the spindle, as the setup holds the part</source>
+        <translation>Werkzeugachse von &lt;b&gt;%1&lt;/b&gt;, von der Spitze zur Spindel, wie die Aufspannung das Teil hält</translation>
+    </message>
+    <message>
+        <source>Tool back to the planned posture</source>
+        <translation>Werkzeug zurück in die geplante Stellung</translation>
+    </message>
+    <message>
+        <source>Tool diameter (%1), lead limit %2</source>
+        <translation>Werkzeugdurchmesser (%1), Grenze des Anstellwinkels %2</translation>
+    </message>
+    <message>
+        <source>Tool libraries (*.fmtools *.json *.tools *.fctb *.fctl *.fcholder *.tbl);;All files (*)</source>
+        <translation>Werkzeugbibliotheken (*.fmtools *.json *.tools *.fctb *.fctl *.fcholder *.tbl);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Tool library</source>
+        <translation>Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>Tool library…</source>
+        <translation>Werkzeugbibliothek…</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools of the library</source>
+        <translation>Werkzeuge der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Trade-off</source>
+        <translation>Abwägung</translation>
+    </message>
+    <message>
+        <source>Tried: </source>
+        <translation>Probiert: </translation>
+    </message>
+    <message>
+        <source>Try a posture first: click in the configuration space, or drag a marker</source>
+        <translation>Zuerst eine Stellung probieren: in den Konfigurationsraum klicken oder eine Marke ziehen</translation>
+    </message>
+    <message>
+        <source>Trying the recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about X</source>
+        <translation>Um X drehen</translation>
+    </message>
+    <message>
+        <source>Turn about Y</source>
+        <translation>Um Y drehen</translation>
+    </message>
+    <message>
+        <source>Turn about Z</source>
+        <translation>Um Z drehen</translation>
+    </message>
+    <message>
+        <source>Turn by 90°</source>
+        <translation>Um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Turn part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Turn part about %1</source>
+        <translation>Teil um %1 drehen</translation>
+    </message>
+    <message>
+        <source>Turn: Shift + middle button</source>
+        <translation>Drehen: Umschalt + mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Turn: left button</source>
+        <translation>Drehen: linke Taste</translation>
+    </message>
+    <message>
+        <source>Turn: middle and left button, or Shift + right</source>
+        <translation>Drehen: mittlere und linke Taste oder Umschalt + rechts</translation>
+    </message>
+    <message>
+        <source>Turn: middle button</source>
+        <translation>Drehen: mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Turned over about X, same zero</source>
+        <translation>Um X gewendet, gleicher Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Turned over about Y, same zero</source>
+        <translation>Um Y gewendet, gleicher Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Turning angle</source>
+        <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>Turns are by the right hand about the middle of the part's box. Rings and arrows in the view do the same by the mouse, with Shift in round steps. Scaling keeps that and the lowest point; cutters and tolerances stay as they are.</source>
+        <translation>Drehungen erfolgen nach der rechten Hand um die Mitte des Quaders. Ringe und Pfeile in der Ansicht tun dasselbe mit der Maus, mit Umschalt in runden Schritten. Skalieren behält sie und den tiefsten Punkt; Fräser und Toleranzen bleiben.</translation>
+    </message>
+    <message>
+        <source>Turns the part about Z until its box is smallest, the longer side along X</source>
+        <translation>Dreht das Teil um Z, bis sein Quader am kleinsten ist, die längere Seite entlang X</translation>
+    </message>
+    <message>
+        <source>Turns the part by %190° about %2, by the right hand; its lowest point comes to Z 0</source>
+        <translation>Dreht das Teil um %190° um %2, nach der rechten Hand; sein tiefster Punkt kommt auf Z 0</translation>
+    </message>
+    <message>
+        <source>Turns the part so that it is longest along X and shortest along Z, by the moments of its surface</source>
+        <translation>Dreht das Teil so, dass es entlang X am längsten und entlang Z am kürzesten ist, nach den Momenten seiner Fläche</translation>
+    </message>
+    <message>
+        <source>Turns the part so that the face marked in the view comes down to Z 0</source>
+        <translation>Dreht das Teil so, dass die in der Ansicht markierte Fläche auf Z 0 kommt</translation>
+    </message>
+    <message>
+        <source>Two contacts</source>
+        <translation>Zwei Berührpunkte</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Un&amp;it</source>
+        <translation>E&amp;inheit</translation>
+    </message>
+    <message>
+        <source>Uncut</source>
+        <translation>Stehen geblieben</translation>
+    </message>
+    <message>
+        <source>Uncut, allowed %1</source>
+        <translation>Stehen geblieben, erlaubt %1</translation>
+    </message>
+    <message>
+        <source>Unit of the part</source>
+        <translation>Einheit des Teils</translation>
+    </message>
+    <message>
+        <source>Unit of the project: of all fields, reports and written programs</source>
+        <translation>Einheit des Projekts: aller Felder, Berichte und geschriebenen Programme</translation>
+    </message>
+    <message>
+        <source>Unpack in</source>
+        <translation>Entpacken in</translation>
+    </message>
+    <message>
+        <source>Unpack project</source>
+        <translation>Projekt entpacken</translation>
+    </message>
+    <message>
+        <source>Unpacked %1 files into %2.</source>
+        <translation>%1 Dateien in %2 entpackt.</translation>
+    </message>
+    <message>
+        <source>Unpacking %1</source>
+        <translation>%1 wird entpackt</translation>
+    </message>
+    <message>
+        <source>Unrolled</source>
+        <translation>Abgewickelt</translation>
+    </message>
+    <message>
+        <source>Unrolled path</source>
+        <translation>Abgewickelter Weg</translation>
+    </message>
+    <message>
+        <source>Unrolling the path</source>
+        <translation>Der Weg wird abgewickelt</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Verification failed (in %1): %2.</source>
+        <translation>Prüfung nicht bestanden (in %1): %2.</translation>
+    </message>
+    <message>
+        <source>Verification limits</source>
+        <translation>Grenzen der Prüfung</translation>
+    </message>
+    <message>
+        <source>Verification out of date</source>
+        <translation>Prüfung veraltet</translation>
+    </message>
+    <message>
+        <source>Verification out of date: the project has changed since</source>
+        <translation>Prüfung veraltet: das Projekt hat sich seither geändert</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Verified in %1: %2: no gouge, no collision.</source>
+        <translation>Geprüft in %1: %2: keine Verletzung, keine Kollision.</translation>
+    </message>
+    <message>
+        <source>Verified in %1: no gouge, no collision.</source>
+        <translation>Geprüft in %1: keine Verletzung, keine Kollision.</translation>
+    </message>
+    <message>
+        <source>Verified: %1: no gouge, no collision</source>
+        <translation>Geprüft: %1: keine Verletzung, keine Kollision</translation>
+    </message>
+    <message>
+        <source>Verified: no gouge, no collision</source>
+        <translation>Geprüft: keine Verletzung, keine Kollision</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Verify again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Verify all se&amp;tups</source>
+        <translation>Alle Aufspann&amp;ungen prüfen</translation>
+    </message>
+    <message>
+        <source>Verify all setups</source>
+        <translation>Alle Aufspannungen prüfen</translation>
+    </message>
+    <message>
+        <source>Verify first (F6), or export programs that nobody has checked.</source>
+        <translation>Zuerst prüfen (F6) oder Programme exportieren, die niemand geprüft hat.</translation>
+    </message>
+    <message>
+        <source>Verify up to this operation</source>
+        <translation>Bis zu dieser Operation prüfen</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Wird geprüft</translation>
+    </message>
+    <message>
+        <source>Verifying all setups</source>
+        <translation>Alle Aufspannungen werden geprüft</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Vice: two jaws</source>
+        <translation>Schraubstock: zwei Backen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Watertight</source>
+        <translation>Wasserdicht</translation>
+    </message>
+    <message>
+        <source>Way of the tool tip (%1)</source>
+        <translation>Weg der Werkzeugspitze (%1)</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>What a tool leaves</source>
+        <translation>Was ein Werkzeug stehen lässt</translation>
+    </message>
+    <message>
+        <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is not saved cannot be kept for the case of a crash: %1. Save the project.</source>
+        <translation>Nicht Gespeichertes kann für den Fall eines Absturzes nicht gesichert werden: %1. Das Projekt speichern.</translation>
+    </message>
+    <message>
+        <source>What the chart shows: the angles of the rotary axes, or the step-over along the part</source>
+        <translation>Was das Diagramm zeigt: die Winkel der Drehachsen oder den Bahnabstand entlang des Teils</translation>
+    </message>
+    <message>
+        <source>What the colours of the path mean; their scale stands in the view</source>
+        <translation>Was die Farben des Wegs bedeuten; ihre Skala steht in der Ansicht</translation>
+    </message>
+    <message>
+        <source>What the file holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the recipe makes of it; of single holes and pieces what becomes of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>What was kept of %1 is damaged, and is not used: plan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was planned before is kept: %1.</source>
+        <translation>Was vorher geplant wurde, bleibt: %1.</translation>
+    </message>
+    <message>
+        <source>What was planned is not kept with the project: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While a boundary is painted</source>
+        <translation>Während eine Begrenzung gemalt wird</translation>
+    </message>
+    <message>
+        <source>Whose box the zero is on; it goes with it</source>
+        <translation>Auf wessen Quader der Nullpunkt liegt; er geht mit ihm</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width, %1</source>
+        <translation>Breite, %1</translation>
+    </message>
+    <message>
+        <source>With D %1: </source>
+        <translation>Mit D %1: </translation>
+    </message>
+    <message>
+        <source>Words to look for</source>
+        <translation>Zu suchende Wörter</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Work zero</source>
+        <translation>Werkstücknullpunkt</translation>
+    </message>
+    <message>
+        <source>Write the chosen tools, or all that are shown, for another program</source>
+        <translation>Die gewählten Werkzeuge, oder alle gezeigten, für ein anderes Programm schreiben</translation>
+    </message>
+    <message>
+        <source>Write the project with its meshes, machines and posts into one file, to be sent</source>
+        <translation>Das Projekt mit Netzen, Maschinen und Postprozessoren in eine Datei zum Verschicken schreiben</translation>
+    </message>
+    <message>
+        <source>Write the whole path of a folder.</source>
+        <translation>Den ganzen Pfad eines Ordners eingeben.</translation>
+    </message>
+    <message>
+        <source>Writing programs</source>
+        <translation>Programme werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the setup sheet</source>
+        <translation>Das Einrichteblatt wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>In %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n file(s) into %1.</source>
+        <translation><numerusform>%n Datei in %1 geschrieben.</numerusform><numerusform>%n Dateien in %1 geschrieben.</numerusform></translation>
+    </message>
+    <message>
+        <source>Zero at %1 X, %2 Y of the box, as seen from above</source>
+        <translation>Nullpunkt bei %1 X, %2 Y des Quaders, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Zero here</source>
+        <translation>Nullpunkt hier</translation>
+    </message>
+    <message>
+        <source>Zoom: wheel</source>
+        <translation>Zoom: Rad</translation>
+    </message>
+    <message>
+        <source>Zoom: wheel, or Ctrl + middle</source>
+        <translation>Zoom: Rad oder Strg + Mitte</translation>
+    </message>
+    <message>
+        <source>Zoom: wheel, or Shift + middle</source>
+        <translation>Zoom: Rad oder Umschalt + Mitte</translation>
+    </message>
+    <message>
+        <source>Zoom: wheel, or right button</source>
+        <translation>Zoom: Rad oder rechte Taste</translation>
+    </message>
+    <message>
+        <source>a comma is not a decimal mark</source>
+        <translation>ein Komma ist kein Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>a few s left</source>
+        <translation>noch einige s</translation>
+    </message>
+    <message>
+        <source>a number has two marks</source>
+        <translation>eine Zahl hat zwei Trennzeichen</translation>
+    </message>
+    <message>
+        <source>above %1: %2</source>
+        <translation>über %1: %2</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>all of the cutter</source>
+        <translation>der ganze Fräser</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>entlang Z</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>as the desktop</source>
+        <translation>wie die Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>as the strip asks</source>
+        <translation>wie es der Streifen verlangt</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>wie das System</translation>
+    </message>
+    <message>
+        <source>ask each time</source>
+        <translation>jedes Mal fragen</translation>
+    </message>
+    <message>
+        <source>below %1: %2</source>
+        <translation>unter %1: %2</translation>
+    </message>
+    <message>
+        <source>boss</source>
+        <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>by moved vertices</source>
+        <translation>durch verschobene Eckpunkte</translation>
+    </message>
+    <message>
+        <source>cancel the running job</source>
+        <translation>die laufende Arbeit abbrechen</translation>
+    </message>
+    <message>
+        <source>click or drag: the tool there; wheel: zoom; right drag: move; Home: all</source>
+        <translation>klicken oder ziehen: Werkzeug dorthin; Rad: Zoom; rechts ziehen: verschieben; Pos1: alles</translation>
+    </message>
+    <message>
+        <source>copy an operation in the tree, paste it here or in another project</source>
+        <translation>eine Operation im Baum kopieren, hier oder in einem anderen Projekt einfügen</translation>
+    </message>
+    <message>
+        <source>curvature matched (CM²)</source>
+        <translation>krümmungsgleich (CM²)</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>edges between facets of opposite winding</source>
+        <translation>Kanten zwischen Facetten entgegengesetzten Umlaufs</translation>
+    </message>
+    <message>
+        <source>edges of more than two facets</source>
+        <translation>Kanten von mehr als zwei Facetten</translation>
+    </message>
+    <message>
+        <source>edit the selected tool or the parameters of the selection</source>
+        <translation>das gewählte Werkzeug oder die Parameter der Auswahl bearbeiten</translation>
+    </message>
+    <message>
+        <source>enter a number</source>
+        <translation>eine Zahl eingeben</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>exact, at the contact</source>
+        <translation>genau, am Berührpunkt</translation>
+    </message>
+    <message>
+        <source>excess</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
+        <source>export programs and the report</source>
+        <translation>Programme und den Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>faces %1</source>
+        <translation>Flächen %1</translation>
+    </message>
+    <message>
+        <source>facets that occur twice, kept</source>
+        <translation>doppelt vorhandene Facetten, behalten</translation>
+    </message>
+    <message>
+        <source>facets without area, left out</source>
+        <translation>Facetten ohne Fläche, weggelassen</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>einpassen</translation>
+    </message>
+    <message>
+        <source>from the tolerance</source>
+        <translation>aus der Toleranz</translation>
+    </message>
+    <message>
+        <source>goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge</source>
+        <translation>Verletzung</translation>
+    </message>
+    <message>
+        <source>gouges up to %1</source>
+        <translation>Verletzungen bis %1</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>into the panels: project, parameters, report and so on</source>
+        <translation>in die Fenster: Projekt, Parameter, Bericht und so weiter</translation>
+    </message>
+    <message>
+        <source>isometric, front, top, right, rear, bottom, left</source>
+        <translation>isometrisch, vorn, oben, rechts, hinten, unten, links</translation>
+    </message>
+    <message>
+        <source>keeps Z upright</source>
+        <translation>hält Z aufrecht</translation>
+    </message>
+    <message>
+        <source>lead %1, yaw %2</source>
+        <translation>Anstellwinkel %1, Taumelwinkel %2</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>am wenigsten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left drag: paint (Shift: erase); Ctrl + left drag: turn; Esc: end</source>
+        <translation>links ziehen: malen (Umschalt: radieren); Strg + links ziehen: drehen; Esc: beenden</translation>
+    </message>
+    <message>
+        <source>left to clean-up</source>
+        <translation>der Restbearbeitung überlassen</translation>
+    </message>
+    <message>
+        <source>lengths as in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>main</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>main %1 + rework %2 = %3; %4, %5 % of the surface</source>
+        <translation>Haupt %1 + Nacharbeit %2 = %3; %4, %5 % der Fläche</translation>
+    </message>
+    <message>
+        <source>measure</source>
+        <translation>messen</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>no faces yet</source>
+        <translation>noch keine Flächen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none: APT only</source>
+        <translation>keine: nur APT</translation>
+    </message>
+    <message>
+        <source>not reached by any</source>
+        <translation>von keinem erreicht</translation>
+    </message>
+    <message>
+        <source>not watertight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is entered</source>
+        <translation>nichts ist eingegeben</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>of it the main path</source>
+        <translation>davon der Hauptweg</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one for each operation</source>
+        <translation>eines für jede Operation</translation>
+    </message>
+    <message>
+        <source>one motion back, on (← and → too while playing back; Shift: ten)</source>
+        <translation>eine Bewegung zurück, weiter (beim Abspielen auch ← und →; Umschalt: zehn)</translation>
+    </message>
+    <message>
+        <source>one ring</source>
+        <translation>ein Ring</translation>
+    </message>
+    <message>
+        <source>one way</source>
+        <translation>einseitig</translation>
+    </message>
+    <message>
+        <source>one with tool changes</source>
+        <translation>eines mit Werkzeugwechseln</translation>
+    </message>
+    <message>
+        <source>open edges</source>
+        <translation>offene Kanten</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>over diameter</source>
+        <translation>über dem Durchmesser</translation>
+    </message>
+    <message>
+        <source>over lead limit</source>
+        <translation>über der Grenze des Anstellwinkels</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>planen</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+    <message>
+        <source>play, pause</source>
+        <translation>abspielen, anhalten</translation>
+    </message>
+    <message>
+        <source>remove the selected tool or operation</source>
+        <translation>das gewählte Werkzeug oder die Operation entfernen</translation>
+    </message>
+    <message>
+        <source>rename what is selected in the tree</source>
+        <translation>umbenennen, was im Baum gewählt ist</translation>
+    </message>
+    <message>
+        <source>rework</source>
+        <translation>Nacharbeit</translation>
+    </message>
+    <message>
+        <source>rolls freely</source>
+        <translation>rollt frei</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>see what belongs to: prepare, plan, verify, simulate</source>
+        <translation>sehen, was dazugehört: vorbereiten, planen, prüfen, simulieren</translation>
+    </message>
+    <message>
+        <source>show the tool there; ← and → step along the path (Shift: by ten)</source>
+        <translation>das Werkzeug dort zeigen; ← und → gehen am Weg entlang (Umschalt: zehn)</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1's file “%2”</source>
+        <translation>die Datei „%2“ (%1)</translation>
+    </message>
+    <message>
+        <source>the display offers OpenGL %1.%2 only; 3.2 is needed</source>
+        <translation>die Anzeige bietet nur OpenGL %1.%2; nötig ist 3.2</translation>
+    </message>
+    <message>
+        <source>the display offers no OpenGL</source>
+        <translation>die Anzeige bietet kein OpenGL</translation>
+    </message>
+    <message>
+        <source>the manual, at the place of what has the keys</source>
+        <translation>das Handbuch, an der Stelle dessen, was die Tasten hat</translation>
+    </message>
+    <message>
+        <source>the part's box</source>
+        <translation>der Quader des Teils</translation>
+    </message>
+    <message>
+        <source>the part's origin</source>
+        <translation>der Ursprung des Teils</translation>
+    </message>
+    <message>
+        <source>the posted program, %1 blocks</source>
+        <translation>das ausgegebene Programm, %1 Sätze</translation>
+    </message>
+    <message>
+        <source>the stock's box</source>
+        <translation>der Quader des Rohteils</translation>
+    </message>
+    <message>
+        <source>the tip</source>
+        <translation>die Spitze</translation>
+    </message>
+    <message>
+        <source>through two points</source>
+        <translation>durch zwei Punkte</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>tried</source>
+        <translation>probiert</translation>
+    </message>
+    <message>
+        <source>turns back</source>
+        <translation>kehrt um</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>rückgängig, wiederholen</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>up to “%1”</source>
+        <translation>bis „%1“</translation>
+    </message>
+    <message>
+        <source>use a point: 0.5</source>
+        <translation>einen Punkt verwenden: 0.5</translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation>prüfen</translation>
+    </message>
+    <message>
+        <source>vertices where shells touch</source>
+        <translation>Eckpunkte, an denen sich Schalen berühren</translation>
+    </message>
+    <message>
+        <source>watertight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where it touches</source>
+        <translation>wo er berührt</translation>
+    </message>
+    <message>
+        <source>with the configuration space in view: points along the pass, passes</source>
+        <translation>wenn der Konfigurationsraum zu sehen ist: Punkte der Bahn, Bahnen</translation>
+    </message>
+    <message>
+        <source>write %1 or %2</source>
+        <translation>%1 oder %2 schreiben</translation>
+    </message>
+    <message>
+        <source>write it without marks between thousands</source>
+        <translation>sie ohne Tausendertrennzeichen schreiben</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Ø %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>“%1” applied: %2</source>
+        <translation>„%1“ angewandt: %2</translation>
+    </message>
+    <message>
+        <source>“%1” cuts with three axes: no rotary axis moves</source>
+        <translation>„%1“ fräst mit drei Achsen: keine Drehachse bewegt sich</translation>
+    </message>
+    <message>
+        <source>“%1” has nothing to do: %2.</source>
+        <translation>„%1“ hat nichts zu tun: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” has one pass only: there is no step-over</source>
+        <translation>„%1“ hat nur eine Bahn: es gibt keinen Bahnabstand</translation>
+    </message>
+    <message>
+        <source>“%1” is a folder: drop a project, or a mesh (%2).</source>
+        <translation>„%1“ ist ein Ordner: ein Projekt oder ein Netz hineinziehen (%2).</translation>
+    </message>
+    <message>
+        <source>“%1” is a picture of a kind that is not read as a relief: save it as PNG or TIFF, 8 or 16 bits of grey.</source>
+        <translation>„%1“ ist ein Bild einer Art, die nicht als Relief gelesen wird: als PNG oder TIFF speichern, 8 oder 16 Bit Grau.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a length to grow by: enter a number, below 0 to shrink</source>
+        <translation>„%1“ ist keine Länge zum Vergrößern: eine Zahl eingeben, unter 0 zum Verkleinern</translation>
+    </message>
+    <message>
+        <source>“%1” is the part already.</source>
+        <translation>„%1“ ist schon das Teil.</translation>
+    </message>
+    <message>
+        <source>“%1” is the part now: %2 facets.</source>
+        <translation>„%1“ ist jetzt das Teil: %2 Facetten.</translation>
+    </message>
+    <message>
+        <source>“by moved vertices”</source>
+        <translation>„durch verschobene Eckpunkte“</translation>
+    </message>
+    <message>
+        <source>“from the tolerance”</source>
+        <translation>„aus der Toleranz“</translation>
+    </message>
+    <message>
+        <source>“one way”</source>
+        <translation>„einseitig“</translation>
+    </message>
+    <message>
+        <source>… %1</source>
+        <translation>… %1</translation>
+    </message>
+    <message>
+        <source>… 95 % below</source>
+        <translation>… 95 % unter</translation>
+    </message>
+    <message>
+        <source>… 99 % below</source>
+        <translation>… 99 % unter</translation>
+    </message>
+    <message>
+        <source>… largest</source>
+        <translation>… größter</translation>
+    </message>
+    <message>
+        <source>… near open borders</source>
+        <translation>… nahe offenen Rändern</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← Zurück</translation>
+    </message>
+    <message>
+        <source>← →  ↑ ↓</source>
+        <translation>← →  ↑ ↓</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,341 @@
+// The window in other languages: every text of core is known in them, messages keep what fills their places,
+// numbers are written and read the user's way, and nothing is cut where texts are longer.
+#include "core/job/project.h"
+#include "core/output/post/post.h"
+#include "core/setup/machine.h"
+#include "tests/screenshot/cut_texts.h"
+#include "tests/screenshot/window_support.h"
+#include "ui/document.h"
+#include "ui/language.h"
+#include "ui/parameter_editor.h"
+#include "ui/preferences_dialog.h"
+#include "ui/project_tree.h"
+#include "ui/settings.h"
+#include "ui/text.h"
+#include "ui/tool_dialog.h"
+#include "ui/tool_library_dialog.h"
+#include "ui/value_words.h"
+#include "ui/window_docks.h"
+#include "ui/worded.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTest>
+#include <QTranslator>
+
+using namespace facetmill;
+using namespace facetmill::test;
+using ui::TreeNode;
+
+namespace {
+
+/// Every text with accents and 40 % longer: what no layout has been drawn for.
+class LongTexts : public QTranslator {
+public:
+    QString translate(const char* context, const char* source, const char*, int) const override {
+        const QLatin1String asked(context ? context : "");
+        if (asked.startsWith(QLatin1Char('Q')) && asked != QLatin1String("QObject")) return {};
+        return lengthened(QString::fromUtf8(source));
+    }
+    bool isEmpty() const override { return false; }
+
+    static QString lengthened(const QString& text) {
+        static const QRegularExpression kept(
+            QStringLiteral("%L?\\d|%n|\\{\\d+\\}|&\\w|<[^>]*>|`[^`]*`|\\*\\.\\w+|;;"));
+        static const QRegularExpression letters(QStringLiteral("[A-Za-z]{3,}"));
+        if (!text.contains(letters)) return text;
+        QString spoken = text;
+        for (qsizetype i = 0; i < spoken.size(); ++i) {
+            const auto at = kept.match(spoken, i, QRegularExpression::NormalMatch,
+                                       QRegularExpression::AnchorAtOffsetMatchOption);
+            if (at.hasMatch())
+                i += at.capturedLength() - 1;
+            else if (const qsizetype k = QStringLiteral("aeiou").indexOf(spoken[i]); k >= 0)
+                spoken[i] = QStringLiteral("äéîöû")[k];
+        }
+        // Behind the last letter, so that dots, colons and blanks at the end stay there.
+        static const QRegularExpression end(QStringLiteral("[\\s.:;,…)*]*$"));
+        const qsizetype more = (text.size() * 4 + 9) / 10;
+        QString filler;
+        while (filler.size() < more)
+            filler += filler.size() % 9 == 0 ? QChar(' ') : QChar(0x00F6);
+        const qsizetype tail = end.match(spoken).capturedStart();
+        // Words of menus and buttons grow as words do; a blank first would break them in two.
+        return spoken.left(tail) + (more < 6 ? filler.mid(0).replace(QChar(' '), QChar(0x00F6)) : filler)
+               + spoken.mid(tail);
+    }
+};
+
+/// All described parameters of projects, with those of their lists.
+std::vector<const ParameterInfo*> all_parameters() {
+    std::vector<const ParameterInfo*> all;
+    const auto add = [&](const std::vector<const ParameterInfo*>& some) {
+        for (const ParameterInfo* p : some) {
+            all.push_back(p);
+            all.insert(all.end(), p->record.begin(), p->record.end());
+        }
+    };
+    add(part_parameters().infos());
+    add(place_parameters().infos());
+    add(stock_parameters().infos());
+    add(fixture_parameters().infos());
+    add(boundary_parameters().infos());
+    add(program_parameters().infos());
+    add(verify_limit_parameters().infos());
+    add(tool_parameters().infos());
+    for (const OperationKind& kind : operation_kinds())
+        add(kind.make()->parameters());
+    return all;
+}
+
+QStringList message_templates() {
+    QFile file(QStringLiteral(":/languages/messages.txt"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    return QString::fromUtf8(file.readAll()).split(QChar('\n'), Qt::SkipEmptyParts);
+}
+
+/// With "7.5", "8.5" ... in its places.
+QString filled(const QString& id, QStringList& values) {
+    static const QRegularExpression place(QStringLiteral("\\{\\d+\\}"));
+    QString text;
+    qsizetype from = 0;
+    for (auto it = place.globalMatch(id); it.hasNext();) {
+        const auto match = it.next();
+        values << QStringLiteral("%1.5").arg(7 + values.size());
+        text += id.mid(from, match.capturedStart() - from) + values.back();
+        from = match.capturedEnd();
+    }
+    return text + id.mid(from);
+}
+
+} // namespace
+
+class TestWindowLanguages : public QObject, public WindowFixture {
+    Q_OBJECT
+
+    /// Opens every dock of the window, one after the other, and every kind of node in the tree, and tells
+    /// what is cut in `cut`.
+    void go_through(const QString& language, QSize size, QStringList& cut) {
+        QVERIFY(show_window() && open_part());
+        w().resize(size);
+        QVERIFY(wait_until_settled(w()));
+        const auto look = [&](const QWidget& at, const QString& where) {
+            for (const QString& line : cut_texts(at))
+                cut << where + QStringLiteral(": ") + line;
+        };
+        for (const TreeNode& node : {TreeNode{TreeNode::Kind::part, 0},
+                                     {TreeNode::Kind::stock, 0},
+                                     {TreeNode::Kind::operation, 0},
+                                     {TreeNode::Kind::tool, 0},
+                                     {TreeNode::Kind::limits, 0}}) {
+            w().tree().select(node);
+            QVERIFY(wait_until_settled(w()));
+            look(w(), QStringLiteral("node %1").arg(int(node.kind)));
+        }
+        for (QDockWidget* dock : w().findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            QVERIFY(wait_until_settled(w()));
+            look(w(), dock->objectName());
+        }
+        shot(w(), QStringLiteral("language-%1-%2").arg(language).arg(size.width()));
+    }
+
+    void look_at_dialogs(QStringList& cut) {
+        ui::PreferencesDialog preferences;
+        preferences.show();
+        QVERIFY(activate(preferences));
+        cut << cut_texts(preferences);
+        shot(preferences, QStringLiteral("language-preferences-") + ui::spoken_language());
+    }
+
+private slots:
+    void cleanup() {
+        close_window();
+        ui::speak(QStringLiteral("en"));
+        ui::settings::set_language({});
+    }
+
+    void each_described_text_is_known_data() {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("de") << QStringLiteral("de");
+        QTest::newRow("fr") << QStringLiteral("fr");
+    }
+    void each_described_text_is_known() {
+        QFETCH(QString, language);
+        ui::speak(language);
+        QCOMPARE(ui::spoken_language(), language);
+        QStringList unknown;
+        const auto check = [&](const std::string& english) {
+            // Some words are alike; whole sentences are not.
+            if (english.find(' ') != std::string::npos && ui::worded(english) == ui::text(english))
+                unknown << ui::text(english);
+        };
+        for (const ParameterInfo* p : all_parameters()) {
+            check(p->label);
+            check(p->help);
+            check(p->required);
+        }
+        for (const OperationKind& kind : operation_kinds())
+            check(kind.label);
+        for (const Machine& m : machines())
+            if (m.name.find("tarus") == std::string::npos) check(m.label);
+        QVERIFY2(unknown.isEmpty(), qPrintable(unknown.join(QChar('\n'))));
+    }
+
+    void messages_are_known_by_what_stands_between_their_places() {
+        const QStringList all = message_templates();
+        QVERIFY(all.size() > 300);
+        QStringList wrong;
+        for (const QString& id : all) {
+            QStringList values;
+            const QString message = filled(id, values);
+            const QString found = ui::message_id(message);
+            // Where another one says as much of it, its places hold the same.
+            if (found != id && (found.isEmpty() || ui::filled_places(message, found) != values))
+                wrong << id + QStringLiteral(" ≠ ") + found;
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QChar('\n'))));
+    }
+
+    void messages_keep_their_values_and_names() {
+        ui::speak(QStringLiteral("de"));
+        QCOMPARE(ui::worded("the diameter -1 is not above 0"),
+                 QStringLiteral("der Durchmesser -1 ist nicht über 0"));
+        QCOMPARE(ui::worded("the value 0.25 mm is out of range"),
+                 QStringLiteral("der Wert 0,25 mm ist außerhalb des Bereichs"));
+        // A name is a name, even one that is a word of the catalogue.
+        QCOMPARE(ui::worded("there is no operation 'Rough'"),
+                 QStringLiteral("es gibt keine Operation 'Rough'"));
+        // Messages in the places of messages.
+        QCOMPARE(ui::worded("expected a whole number"), QStringLiteral("eine ganze Zahl erwartet"));
+        QCOMPARE(ui::worded("allowed: above 0 mm and at most 2.5 mm"),
+                 QStringLiteral("erlaubt: über 0 mm und höchstens 2,5 mm"));
+        const Error e(ErrorCode::out_of_range, "part.stl: facet 12", "a corner is not a finite number",
+                      "the file is damaged: export it again");
+        const QString line =
+            QStringLiteral("part.stl: Facette 12: eine Ecke ist keine endliche Zahl (die Datei ist "
+                           "beschädigt: neu exportieren)");
+        QCOMPARE(ui::worded(e), line);
+        QCOMPARE(ui::worded(QString::fromUtf8(e.what())), line); // the same once it is one text
+        QCOMPARE(ui::worded("nobody has written this"), QStringLiteral("nobody has written this"));
+        ui::speak(QStringLiteral("en"));
+        QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
+    }
+
+    void numbers_are_written_and_read_the_users_way() {
+        const ParameterInfo& info = tool_parameters().find("diameter")->info;
+        const auto read = [&](const char* entry) {
+            return std::get<double>(
+                ui::read_entered(info, QString::fromUtf8(entry), LengthUnit::mm, {{"stock.x", 3.5}}));
+        };
+        ui::speak(QStringLiteral("de"));
+        QCOMPARE(ui::shown_number(0.125, info, LengthUnit::mm), QStringLiteral("0,125"));
+        QCOMPARE(ui::number_text(1234.5), QStringLiteral("1234,5"));
+        QCOMPARE(read("0,5"), 0.5);
+        QCOMPARE(read("0.5"), 0.5);
+        QCOMPARE(read(",5"), 0.5);
+        QCOMPARE(read("25,4/2"), 12.7);
+        QCOMPARE(read("= stock.x * 2 + 0,25"), 7.25);
+        QCOMPARE(read("0.125"), 0.125);
+        QCOMPARE(read("12,125"), 12.125);
+        for (const char* unclear : {"1.500", "1.234,5", "1,234,567"})
+            QVERIFY_EXCEPTION_THROWN(read(unclear), Error);
+        QCOMPARE(ui::in_user_numbers(QStringLiteral("G54.1, v0.1.0: 2.5, 3.5 mm, part2.5.stl")),
+                 QStringLiteral("G54.1, v0.1.0: 2,5; 3,5 mm, part2.5.stl"));
+        QCOMPARE(ui::with_lengths_in(QStringLiteral("um bis zu 25,4 mm"), LengthUnit::inch),
+                 QStringLiteral("um bis zu 1 in"));
+        ui::speak(QStringLiteral("en"));
+        QCOMPARE(ui::shown_number(0.125, info, LengthUnit::mm), QStringLiteral("0.125"));
+        QVERIFY_EXCEPTION_THROWN(read("0,5"), Error);
+    }
+
+    void the_window_speaks_german_and_files_do_not() {
+        ui::speak(QStringLiteral("de"));
+        QVERIFY(show_window() && open_part());
+        w().tree().select({TreeNode::Kind::operation, 0});
+        QVERIFY(wait_until_settled(w()));
+        QStringList menus;
+        for (const QAction* a : w().menuBar()->actions())
+            menus << a->text().remove(QChar('&'));
+        QVERIFY2(menus.contains(QStringLiteral("Datei")), qPrintable(menus.join(QChar(' '))));
+        enter(w(), "tolerance", QStringLiteral("0,0125"));
+        QCOMPARE(first_operation(w()).tolerance, 0.0125 * mm_per_inch);
+        QCOMPARE(field(w(), "tolerance")->text(), QStringLiteral("0,0125"));
+        enter(w(), "tolerance", QStringLiteral("-1"));
+        QVERIFY2(error_under(w(), "tolerance").contains(QStringLiteral("außerhalb des Bereichs")),
+                 qPrintable(error_under(w(), "tolerance")));
+        shot(w(), QStringLiteral("language-de-error"));
+        enter(w(), "tolerance", QStringLiteral("0.0125"));
+        const QString file = scratch_folder(QStringLiteral("german")) + QStringLiteral("/part.facetmill");
+        QVERIFY(w().files().save_to(file));
+        QFile saved(file);
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QVERIFY(saved.readAll().contains("0.0125"));
+    }
+
+    void mnemonics_are_their_own_in_every_menu_data() { each_described_text_is_known_data(); }
+    void mnemonics_are_their_own_in_every_menu() {
+        QFETCH(QString, language);
+        ui::speak(language);
+        QVERIFY(show_window());
+        QStringList twice;
+        const auto look = [&](const QList<QAction*>& actions, const QString& menu) {
+            QString seen;
+            for (const QAction* a : actions) {
+                const qsizetype at = QString(a->text())
+                                         .replace(QStringLiteral("&&"), QStringLiteral("__"))
+                                         .indexOf(QChar('&'));
+                if (at < 0 || !a->isVisible()) continue;
+                const QChar key = a->text()[at + 1].toLower();
+                if (seen.contains(key)) twice << menu + QStringLiteral(": ") + a->text();
+                seen += key;
+            }
+        };
+        look(w().menuBar()->actions(), QStringLiteral("bar"));
+        for (const QMenu* menu : w().findChildren<const QMenu*>())
+            look(menu->actions(), menu->title());
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join(QChar('\n'))));
+    }
+
+    void the_language_is_chosen_in_the_preferences() {
+        ui::PreferencesDialog dialog;
+        auto* box = dialog.findChild<QComboBox*>(QStringLiteral("language"));
+        QVERIFY(box);
+        QCOMPARE(box->currentData().toString(), QString());
+        box->setCurrentIndex(box->findData(QStringLiteral("fr")));
+        dialog.accept();
+        QCOMPARE(ui::settings::language(), QStringLiteral("fr"));
+        QCOMPARE(ui::language_for(ui::settings::language()), QStringLiteral("fr"));
+        QCOMPARE(ui::language_for(QStringLiteral("xx")), ui::language_for(QString()));
+    }
+
+    void nothing_is_cut_in_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QSize>("size");
+        for (const char* language : {"de", "fr", "long"})
+            QTest::newRow(language) << QString::fromLatin1(language) << QSize(1280, 800);
+    }
+    void nothing_is_cut_in() {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        if (language == QLatin1String("long"))
+            ui::speak_by(std::make_unique<LongTexts>(), QLocale::c());
+        else
+            ui::speak(language);
+        QStringList cut;
+        go_through(language, size, cut);
+        look_at_dialogs(cut);
+        cut.removeDuplicates();
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QChar('\n'))));
+    }
+};
+
+FACETMILL_TEST(TestWindowLanguages)
+
+#include "test_window_languages.moc"

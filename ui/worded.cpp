@@ -1,0 +1,234 @@
+#include "ui/worded.h"
+
+#include "ui/language.h"
+#include "ui/text.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace facetmill::ui {
+
+namespace {
+
+constexpr int deepest = 4; ///< messages in the places of messages
+/// A template of so few letters says little: what fills its places is a value or a few words.
+constexpr qsizetype few_letters = 7, longest_value = 28;
+
+struct MessageTemplate {
+    QString id;
+    QStringList between; ///< what stands before, between and behind the places
+    qsizetype letters = 0;
+};
+
+QStringList between_places(const QString& id) {
+    static const QRegularExpression place(QStringLiteral("\\{\\d+\\}"));
+    return id.split(place);
+}
+
+std::vector<MessageTemplate> read_templates() {
+    std::vector<MessageTemplate> all;
+    QFile file(QStringLiteral(":/languages/messages.txt"));
+    if (!file.open(QIODevice::ReadOnly)) return all;
+    const QStringList rows = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    for (QString id : rows) {
+        id.replace(QStringLiteral("\\n"), QStringLiteral("\n"));
+        id.replace(QStringLiteral("\\\\"), QStringLiteral("\\"));
+        MessageTemplate one{id, between_places(id), 0};
+        for (const QString& part : one.between)
+            one.letters += std::count_if(part.begin(), part.end(), [](QChar c) { return c.isLetter(); });
+        all.push_back(std::move(one));
+    }
+    const auto says = [](const MessageTemplate& m) { return std::pair(m.letters, m.id.size()); };
+    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return says(a) > says(b); });
+    return all;
+}
+
+const std::vector<MessageTemplate>& templates() {
+    static const std::vector<MessageTemplate> all = read_templates();
+    return all;
+}
+
+std::optional<QStringList> places_of(const QString& message, const QStringList& between) {
+    if (!message.startsWith(between.front()) || !message.endsWith(between.back())) return std::nullopt;
+    qsizetype at = between.front().size();
+    const qsizetype end = message.size() - between.back().size();
+    QStringList filled;
+    for (qsizetype i = 1; i + 1 < between.size(); ++i) {
+        const qsizetype next = message.indexOf(between[i], at);
+        if (next < 0 || next + between[i].size() > end) return std::nullopt;
+        filled << message.mid(at, next - at);
+        at = next + between[i].size();
+    }
+    if (at > end) return std::nullopt;
+    filled << message.mid(at, end - at);
+    return filled;
+}
+
+bool says_too_little(const MessageTemplate& one, const QStringList& filled) {
+    return one.letters < few_letters && std::any_of(filled.begin(), filled.end(), [](const QString& value) {
+               return value.size() > longest_value;
+           });
+}
+
+/// The template that says most of the text.
+const MessageTemplate* template_of(const QString& message, QStringList& filled) {
+    for (const MessageTemplate& one : templates())
+        if (auto found = places_of(message, one.between); found && !says_too_little(one, *found)) {
+            filled = std::move(*found);
+            return &one;
+        }
+    return nullptr;
+}
+
+QString in_catalogue(const QString& id) {
+    return QCoreApplication::translate("core", utf8(id).c_str());
+}
+
+QString with_places(const QString& translation, const QStringList& filled) {
+    QString result;
+    for (qsizetype i = 0; i < translation.size(); ++i) {
+        const qsizetype end =
+            translation[i] == QLatin1Char('{') ? translation.indexOf(QLatin1Char('}'), i) : -1;
+        bool number = false;
+        const int place = end < 0 ? 0 : translation.mid(i + 1, end - i - 1).toInt(&number);
+        if (number && place >= 1 && place <= filled.size()) {
+            result += filled[place - 1];
+            i = end;
+        } else {
+            result += translation[i];
+        }
+    }
+    return result;
+}
+
+std::optional<QString> sentence_of(const QString& message, int depth);
+
+/// What fills a place: a message itself, some of them, or a value.
+QString place_said(const QString& filled, int depth) {
+    if (auto message = sentence_of(filled, depth)) return *message;
+    static const QString mark = QStringLiteral("; ");
+    if (!filled.contains(mark)) return in_user_numbers(filled);
+    QStringList parts = filled.split(mark);
+    for (QString& part : parts)
+        part = place_said(part, depth + 1);
+    return parts.join(mark);
+}
+
+std::optional<QString> sentence_of(const QString& message, int depth) {
+    if (message.isEmpty() || depth > deepest) return std::nullopt;
+    if (QString whole = in_catalogue(message); whole != message) return whole;
+    QStringList filled;
+    const MessageTemplate* found = template_of(message, filled);
+    if (!found) return std::nullopt;
+    for (qsizetype i = 0; i < filled.size(); ++i) {
+        const bool name = found->between[i].endsWith(QLatin1Char('\''))
+                          && found->between[i + 1].startsWith(QLatin1Char('\''));
+        if (!name) filled[i] = place_said(filled[i], depth + 1);
+    }
+    return in_user_numbers(with_places(in_catalogue(found->id), filled));
+}
+
+QString place_names(const QString& where) {
+    QStringList parts = where.split(QStringLiteral(": "));
+    for (QString& part : parts)
+        part = sentence_of(part, 0).value_or(part);
+    return parts.join(QStringLiteral(": "));
+}
+
+/// Where the bracket at the end of a line opens; -1 where none does.
+qsizetype last_bracket(const QString& line) {
+    if (!line.endsWith(QLatin1Char(')'))) return -1;
+    int open = 0;
+    for (qsizetype i = line.size() - 1; i > 0; --i) {
+        if (line[i] == QLatin1Char(')')) ++open;
+        if (line[i] == QLatin1Char('(') && --open == 0) return line[i - 1] == QLatin1Char(' ') ? i : -1;
+    }
+    return -1;
+}
+
+/// Letters of a message that are the catalogue's; 0 where it does not know it.
+qsizetype known_letters(const QString& message) {
+    if (in_catalogue(message) != message)
+        return std::count_if(message.begin(), message.end(), [](QChar c) { return c.isLetter(); });
+    QStringList filled;
+    const MessageTemplate* found = template_of(message, filled);
+    return found ? found->letters : 0;
+}
+
+/// "where: what (what to do)".
+QString line_said(const QString& line) {
+    const qsizetype bracket = last_bracket(line);
+    const QString head = bracket < 0 ? line : line.left(bracket - 1);
+    QString tail;
+    if (bracket >= 0) {
+        const QString inside = line.mid(bracket + 1, line.size() - bracket - 2);
+        tail = QStringLiteral(" (%1)").arg(sentence_of(inside, 0).value_or(inside));
+    }
+    // Where the message begins that the catalogue knows most of; behind as many places as can be.
+    static const QString mark = QStringLiteral(": ");
+    qsizetype begin = -1, most = 0;
+    for (qsizetype at = 0; at >= 0;) {
+        if (const qsizetype known = known_letters(head.mid(at)); known >= most && known > 0) {
+            most = known;
+            begin = at;
+        }
+        at = head.indexOf(mark, at);
+        if (at >= 0) at += mark.size();
+    }
+    if (begin < 0) return head + tail;
+    const QString what = sentence_of(head.mid(begin), 0).value_or(head.mid(begin));
+    return (begin > 0 ? place_names(head.left(begin - mark.size())) + mark : QString()) + what + tail;
+}
+
+/// Where English is spoken and numbers have a point, all is as core says it.
+bool as_core_says() {
+    return QLocale().decimalPoint() == QLatin1String(".")
+           && in_catalogue(QStringLiteral("the file is empty")) == QLatin1String("the file is empty");
+}
+
+} // namespace
+
+std::optional<QStringList> filled_places(const QString& message, const QString& id) {
+    return places_of(message, between_places(id));
+}
+
+QString message_id(const QString& message) {
+    QStringList filled;
+    const MessageTemplate* found = template_of(message, filled);
+    return found ? found->id : QString();
+}
+
+QString worded(const QString& english) {
+    if (as_core_says()) return english;
+    const auto sentence = sentence_of(english, 0);
+    return sentence ? *sentence : line_said(english);
+}
+
+QString worded(std::string_view english) {
+    return worded(text(english));
+}
+
+QString in_a_sentence(const QString& label) {
+    return spoken_language() == QLatin1String("de") ? label : label.left(1).toLower() + label.mid(1);
+}
+
+QString worded(const char* english) {
+    return worded(std::string_view(english));
+}
+
+QString worded(const Error& e) {
+    if (as_core_says()) return text(e.what());
+    QString line =
+        e.where().empty() ? QString() : place_names(text(printable(e.where(), 400))) + QStringLiteral(": ");
+    line += worded(printable(e.message(), 4000));
+    if (!e.remedy().empty()) line += QStringLiteral(" (%1)").arg(worded(printable(e.remedy(), 4000)));
+    return line;
+}
+
+} // namespace facetmill::ui

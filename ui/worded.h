@@ -1,0 +1,34 @@
+// What core says, in the language of the window. Core knows no languages: it puts its messages together in
+// English, "the diameter 0 is not above 0", and each has a template, "the diameter {1} is not above 0", which
+// is its id in the catalogues (resources/languages). A message is known again by its template, and what fills
+// the places stands in the translation's.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QString>
+
+#include <optional>
+#include <string_view>
+
+namespace facetmill::ui {
+
+/// A message, warning, label or help text of core; where the catalogue has no such text, as it is. Of a whole
+/// line of an error, "where: what (what to do)", each by itself. Names in quotes stay.
+QString worded(std::string_view english);
+QString worded(const QString& english);
+QString worded(const char* english);
+
+/// The whole line of an error.
+QString worded(const Error& e);
+
+/// A label in the middle of a sentence: in small letters, but for languages whose nouns have capitals.
+QString in_a_sentence(const QString& label);
+
+/// What fills the places of a template, where the text is one of it: "the diameter {1} is not above 0".
+std::optional<QStringList> filled_places(const QString& message, const QString& id);
+
+/// Of the templates that the text may be one of, the one that says most of it; empty where there is none.
+QString message_id(const QString& message);
+
+} // namespace facetmill::ui
