@@ -913,11 +913,11 @@
     </message>
     <message>
         <source>Hole, left open</source>
-        <translation type="unfinished"></translation>
+        <translation>Loch, offen gelassen</translation>
     </message>
     <message>
         <source>Hole, to be filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Loch, zu füllen</translation>
     </message>
     <message>
         <source>Hollow</source>
@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>Moved ({1})</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschoben ({1})</translation>
     </message>
     <message>
         <source>Moves it after it was turned.</source>
@@ -1397,7 +1397,7 @@
     </message>
     <message>
         <source>New surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Fläche</translation>
     </message>
     <message>
         <source>No larger than the tool that is to come in after it: {1} and {2}</source>
@@ -1425,7 +1425,7 @@
     </message>
     <message>
         <source>Not moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht verschoben</translation>
     </message>
     <message>
         <source>Nothing to show</source>
@@ -2021,7 +2021,7 @@
     </message>
     <message>
         <source>Taken away</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggenommen</translation>
     </message>
     <message>
         <source>Takes the other side of open surfaces as their outside. By itself that is the upper side of a sheet, and the side that is seen of what nearly closes; of closed bodies it is always the outside.</source>
@@ -2825,7 +2825,7 @@
     </message>
     <message>
         <source>a strip names vertex {1}, the file has {2} (from 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Streifen nennt Eckpunkt {1}, die Datei hat {2} (ab 0)</translation>
     </message>
     <message>
         <source>a surface has a place that is not finite</source>
@@ -3329,11 +3329,11 @@
     </message>
     <message>
         <source>choose a ball, or let it match the curvature (CM2)</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kugel wählen, oder die Krümmung angleichen lassen (CM2)</translation>
     </message>
     <message>
         <source>choose a flat or bull-nosed tool, or cut the regions as with a ball</source>
-        <translation type="unfinished"></translation>
+        <translation>ein flaches oder torisches Werkzeug wählen, oder die Bereiche wie mit einer Kugel fräsen</translation>
     </message>
     <message>
         <source>choose a larger angle, such as 3°</source>
@@ -3401,7 +3401,7 @@
     </message>
     <message>
         <source>choose another program number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine andere Programmnummer wählen</translation>
     </message>
     <message>
         <source>choose at most the diameter</source>
@@ -3453,7 +3453,7 @@
     </message>
     <message>
         <source>content {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt {1}</translation>
     </message>
     <message>
         <source>copy it again as binary (FTP: type binary; Git: mark *.stl as binary)</source>
@@ -3553,7 +3553,7 @@
     </message>
     <message>
         <source>cuts nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>fräst nichts</translation>
     </message>
     <message>
         <source>cutter '{1}'</source>
@@ -3617,7 +3617,7 @@
     </message>
     <message>
         <source>enter a length above 0, or let it follow from the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Länge über 0 eingeben, oder sie aus der Toleranz folgen lassen</translation>
     </message>
     <message>
         <source>enter a number</source>
@@ -3653,7 +3653,7 @@
     </message>
     <message>
         <source>enter a smaller shank diameter or a larger holder</source>
-        <translation type="unfinished"></translation>
+        <translation>einen kleineren Schaftdurchmesser oder einen größeren Halter eingeben</translation>
     </message>
     <message>
         <source>enter an angle above 0</source>
@@ -4413,7 +4413,7 @@
     </message>
     <message>
         <source>it is not as it was written</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nicht, wie es geschrieben wurde</translation>
     </message>
     <message>
         <source>it is not {1}</source>
@@ -4457,7 +4457,7 @@
     </message>
     <message>
         <source>it was written meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde inzwischen geschrieben</translation>
     </message>
     <message>
         <source>its attributes cannot be read</source>
@@ -4481,7 +4481,7 @@
     </message>
     <message>
         <source>its pieces are planned beside different things</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Stücke sind neben Verschiedenem geplant</translation>
     </message>
     <message>
         <source>its point is taken for one of 119°</source>
@@ -4573,15 +4573,15 @@
     </message>
     <message>
         <source>leave the tool axis upright (0, 0, 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Werkzeugachse senkrecht lassen (0, 0, 1)</translation>
     </message>
     <message>
         <source>leave the tool axis upright (0, 0, 1), or set the tilt limit to 0</source>
-        <translation type="unfinished"></translation>
+        <translation>die Werkzeugachse senkrecht lassen (0, 0, 1), oder die Neigungsgrenze auf 0 setzen</translation>
     </message>
     <message>
         <source>leave them out</source>
-        <translation type="unfinished"></translation>
+        <translation>sie weglassen</translation>
     </message>
     <message>
         <source>leave this operation out, or check what those before it cut</source>
@@ -4649,7 +4649,7 @@
     </message>
     <message>
         <source>lower it, or raise the assumed lead limit</source>
-        <translation type="unfinished"></translation>
+        <translation>sie senken, oder die angenommene Grenze erhöhen</translation>
     </message>
     <message>
         <source>lower the feed</source>
@@ -4737,7 +4737,7 @@
     </message>
     <message>
         <source>move the part onto the axis, let the axis go through the part's middle, or give two points of it</source>
-        <translation type="unfinished"></translation>
+        <translation>das Teil auf die Achse schieben, die Achse durch die Mitte des Teils legen, oder zwei Punkte von ihr angeben</translation>
     </message>
     <message>
         <source>move the part, or change the operation's limits</source>
@@ -5233,7 +5233,7 @@
     </message>
     <message>
         <source>plan again</source>
-        <translation type="unfinished"></translation>
+        <translation>neu planen</translation>
     </message>
     <message>
         <source>plan again; report the project</source>
@@ -5489,7 +5489,7 @@
     </message>
     <message>
         <source>show one that does</source>
-        <translation type="unfinished"></translation>
+        <translation>eines zeigen, das es tut</translation>
     </message>
     <message>
         <source>silhouette</source>
@@ -5681,7 +5681,7 @@
     </message>
     <message>
         <source>the cutter goes {1} below the bottom of the stock, as 'Below the bottom' allows</source>
-        <translation type="unfinished"></translation>
+        <translation>der Fräser geht {1} unter den Boden des Rohteils, wie 'Unter dem Boden' es erlaubt</translation>
     </message>
     <message>
         <source>the cutter has no place along {1} of its passes: they are left out there</source>
@@ -6157,7 +6157,7 @@
     </message>
     <message>
         <source>the passes end where the cutter would go below the bottom of the stock, by up to {1}: {2} of the points are left out unless 'Below the bottom' allows them</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bahnen enden, wo der Fräser unter den Boden des Rohteils ginge, um bis zu {1}: {2} der Punkte fallen weg, wenn 'Unter dem Boden' sie nicht erlaubt</translation>
     </message>
     <message>
         <source>the passes leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-over or another direction</source>
@@ -6429,7 +6429,7 @@
     </message>
     <message>
         <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spitze wird daran gehindert, unter den Boden des Rohteils zu gehen, um bis zu {1} an {2} der Punkte: so viel bleibt dort auf der Fläche, wenn 'Unter dem Boden' es nicht erlaubt</translation>
     </message>
     <message>
         <source>the tolerance asks for</source>
@@ -6621,7 +6621,7 @@
     </message>
     <message>
         <source>the {1} would touch the part along {2} of passes, which are left out: use a longer tool, or allow it to be inclined by a tilt limit</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} würde das Teil entlang {2} der Bahnen berühren, die wegfallen: ein längeres Werkzeug nehmen oder ihm durch eine Neigungsgrenze erlauben, sich zu neigen</translation>
     </message>
     <message>
         <source>the {1} {2} cannot be written</source>
@@ -6725,7 +6725,7 @@
     </message>
     <message>
         <source>there is no verdict in them</source>
-        <translation type="unfinished"></translation>
+        <translation>darin ist kein Prüfergebnis</translation>
     </message>
     <message>
         <source>there is no {1}</source>
@@ -6745,7 +6745,7 @@
     </message>
     <message>
         <source>they are not what was written</source>
-        <translation type="unfinished"></translation>
+        <translation>sie sind nicht, was geschrieben wurde</translation>
     </message>
     <message>
         <source>they lie nearly on a line: no plane goes through them</source>
@@ -6981,11 +6981,11 @@
     </message>
     <message>
         <source>use a longer tool, or allow a larger tilt limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ein längeres Werkzeug nehmen oder eine größere Neigungsgrenze erlauben</translation>
     </message>
     <message>
         <source>use a longer tool, or allow it to be inclined by a tilt limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ein längeres Werkzeug nehmen oder ihm durch eine Neigungsgrenze erlauben, sich zu neigen</translation>
     </message>
     <message>
         <source>use a longer tool, or less holder clearance</source>
@@ -7033,7 +7033,7 @@
     </message>
     <message>
         <source>use a stock that reaches lower, or allow it by 'Below the bottom'</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Rohteil nehmen, das tiefer reicht, oder es mit 'Unter dem Boden' erlauben</translation>
     </message>
     <message>
         <source>use a tool that is {1} longer</source>
@@ -7133,7 +7133,7 @@
     </message>
     <message>
         <source>words are read as they lie in memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Wörter werden gelesen, wie sie im Speicher liegen</translation>
     </message>
     <message>
         <source>would hold {1} files, more than {2}</source>
@@ -7513,7 +7513,7 @@
     </message>
     <message>
         <source>{1}, or raise the lead limit</source>
-        <translation type="unfinished"></translation>
+        <translation>{1}, oder die Grenze des Anstellwinkels erhöhen</translation>
     </message>
     <message>
         <source>{1}, pixel {2}, {3}</source>
@@ -7636,7 +7636,7 @@
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2%3</source>
@@ -7668,7 +7668,7 @@
     </message>
     <message>
         <source>%1 across</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 im Durchmesser</translation>
     </message>
     <message>
         <source>%1 added to the project</source>
@@ -7752,7 +7752,7 @@
     </message>
     <message>
         <source>%1 operations are as they were planned: they were kept with the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Operationen sind, wie sie geplant waren: sie wurden mit dem Projekt aufbewahrt.</translation>
     </message>
     <message>
         <source>%1 programs (*%2);;All files (*)</source>
@@ -7776,7 +7776,7 @@
     </message>
     <message>
         <source>%1 smaller ones</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kleinere</translation>
     </message>
     <message>
         <source>%1 strips, all of them cut</source>
@@ -7820,7 +7820,7 @@
     </message>
     <message>
         <source>%1. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -7860,7 +7860,7 @@
     </message>
     <message>
         <source>%1; %2 facets, %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; %2 Facetten, %3.</translation>
     </message>
     <message>
         <source>%1° from X</source>
@@ -7880,7 +7880,7 @@
     </message>
     <message>
         <source>&amp;Before</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorher</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
@@ -8040,7 +8040,7 @@
     </message>
     <message>
         <source>&amp;Scan room…</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;can-Raum…</translation>
     </message>
     <message>
         <source>&amp;Smooth</source>
@@ -8196,11 +8196,11 @@
     </message>
     <message>
         <source>A fast main path with five axes, and a smaller tool for the regions it leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein schneller Hauptweg mit fünf Achsen, und ein kleineres Werkzeug für die Bereiche, die er lässt</translation>
     </message>
     <message>
         <source>A helix, rings or lengthwise lines over a part that turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Wendel, Ringe oder Längslinien über ein drehendes Teil</translation>
     </message>
     <message>
         <source>A parameter is not valid: correct it before programs are written.</source>
@@ -8252,7 +8252,7 @@
     </message>
     <message>
         <source>Above the view: what comes next, ticked off as it is done</source>
-        <translation type="unfinished"></translation>
+        <translation>Über der Ansicht: was als Nächstes kommt, abgehakt, wenn es getan ist</translation>
     </message>
     <message>
         <source>Add</source>
@@ -8268,7 +8268,7 @@
     </message>
     <message>
         <source>Add a step behind the chosen one</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinter dem gewählten einen Schritt hinzufügen</translation>
     </message>
     <message>
         <source>Add a tool below the tree; a double click edits one.</source>
@@ -8316,11 +8316,11 @@
     </message>
     <message>
         <source>Af&amp;ter</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nachher</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>Align edge with X</source>
@@ -8400,7 +8400,7 @@
     </message>
     <message>
         <source>Appl&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;wenden</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -8428,15 +8428,15 @@
     </message>
     <message>
         <source>As the file is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Datei ist</translation>
     </message>
     <message>
         <source>As the file is, %1 of %2 holes are filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Datei ist, werden %1 von %2 Löchern gefüllt.</translation>
     </message>
     <message>
         <source>As the file is, %1 of %2 pieces go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Datei ist, fallen %1 von %2 Stücken weg.</translation>
     </message>
     <message>
         <source>As the part lies</source>
@@ -8476,7 +8476,7 @@
     </message>
     <message>
         <source>Before planning: %1. As planned, where the paths were looked at: %2, %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor dem Planen: %1. Wie geplant, wo die Wege untersucht wurden: %2, %3 %</translation>
     </message>
     <message>
         <source>Being planned</source>
@@ -8576,15 +8576,15 @@
     </message>
     <message>
         <source>Carries the recipe out and shows what it would make; the project stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Führt das Rezept aus und zeigt, was es machte; das Projekt bleibt, wie es ist</translation>
     </message>
     <message>
         <source>Carry the step out earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schritt früher ausführen</translation>
     </message>
     <message>
         <source>Carry the step out later</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schritt später ausführen</translation>
     </message>
     <message>
         <source>Centimetres</source>
@@ -8632,7 +8632,7 @@
     </message>
     <message>
         <source>Choose the control in Machine; Ctrl+E writes one program an operation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter Maschine die Steuerung wählen; Strg+E schreibt je Operation ein Programm.</translation>
     </message>
     <message>
         <source>Choose the folder in which the new one is made</source>
@@ -8640,7 +8640,7 @@
     </message>
     <message>
         <source>Choose the tool and its values in the form; + adds Rough before Finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug und Werte im Formular wählen; + fügt Schruppen vor Schlichten ein.</translation>
     </message>
     <message>
         <source>Choosing layers</source>
@@ -8736,7 +8736,7 @@
     </message>
     <message>
         <source>Click: shown in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: wird in der Ansicht gezeigt</translation>
     </message>
     <message>
         <source>Click: shown in the view. Double click: laid on it.</source>
@@ -8808,7 +8808,7 @@
     </message>
     <message>
         <source>Cuts the valleys that a larger tool could not enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Fräst die Kehlen, in die ein größeres Werkzeug nicht kam</translation>
     </message>
     <message>
         <source>Cutter</source>
@@ -8888,11 +8888,11 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Done: that was a whole job. F1 tells more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig: das war ein ganzer Auftrag. F1 sagt mehr.</translation>
     </message>
     <message>
         <source>Double click, F</source>
@@ -9032,7 +9032,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Export anyway</source>
@@ -9128,7 +9128,7 @@
     </message>
     <message>
         <source>F5 plans, F6 verifies. Look at what the list finds before you go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>F5 plant, F6 prüft. Ansehen, was die Liste findet, bevor es weitergeht.</translation>
     </message>
     <message>
         <source>F5, Ctrl+P</source>
@@ -9232,7 +9232,7 @@
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>File unit</source>
@@ -9372,7 +9372,7 @@
     </message>
     <message>
         <source>Goes back to the recipe of the project; nothing is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Rezept des Projekts; nichts wird geändert</translation>
     </message>
     <message>
         <source>Gouge</source>
@@ -9514,7 +9514,7 @@
     </message>
     <message>
         <source>Kept with the project what was planned and verified: %1 MB in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Projekt aufbewahrt, was geplant und geprüft war: %1 MB in %2.</translation>
     </message>
     <message>
         <source>Kept: %1</source>
@@ -9534,7 +9534,7 @@
     </message>
     <message>
         <source>Lay down, zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinlegen, Nullpunkt</translation>
     </message>
     <message>
         <source>Lay it on a face</source>
@@ -9562,7 +9562,7 @@
     </message>
     <message>
         <source>Lay the part on a face of the list, then put the zero on the stock: press P.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil auf eine Fläche der Liste legen, dann den Nullpunkt auf das Rohteil setzen: P drücken.</translation>
     </message>
     <message>
         <source>Lay the part on a face, turn, move or mirror it (P)</source>
@@ -9668,7 +9668,7 @@
     </message>
     <message>
         <source>Looking for holes, pieces and other flaws…</source>
-        <translation type="unfinished"></translation>
+        <translation>Löcher, Stücke und andere Mängel werden gesucht…</translation>
     </message>
     <message>
         <source>Looking for the face</source>
@@ -9676,11 +9676,11 @@
     </message>
     <message>
         <source>Looking over the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil wird durchgesehen</translation>
     </message>
     <message>
         <source>Loose pieces, holes, noise, facets: what is wrong with the mesh, and a recipe that mends it</source>
-        <translation type="unfinished"></translation>
+        <translation>Lose Stücke, Löcher, Rauschen, Facetten: was am Netz nicht stimmt, und ein Rezept dagegen</translation>
     </message>
     <message>
         <source>M</source>
@@ -9724,7 +9724,7 @@
     </message>
     <message>
         <source>Mend the part's mesh: loose pieces, holes, noise, facets (R)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz des Teils in Ordnung bringen: lose Stücke, Löcher, Rauschen, Facetten (R)</translation>
     </message>
     <message>
         <source>Meshes (%1)</source>
@@ -9852,7 +9852,7 @@
     </message>
     <message>
         <source>Moved at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschoben um höchstens %1</translation>
     </message>
     <message>
         <source>Moves the middle of the part's box to X 0, Y 0</source>
@@ -9888,7 +9888,7 @@
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Next pass (↓)</source>
@@ -9936,7 +9936,7 @@
     </message>
     <message>
         <source>No step yet: the file is taken as it is. Suggest makes a recipe for what was found; Add takes single steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Schritt: die Datei wird genommen, wie sie ist. Vorschlagen macht ein Rezept für das Gefundene; Hinzufügen nimmt einzelne Schritte.</translation>
     </message>
     <message>
         <source>No tool</source>
@@ -9964,7 +9964,7 @@
     </message>
     <message>
         <source>Not all that was planned is kept with the project: it would be more than %1 MB. It is planned again when the project is opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht alles Geplante wird mit dem Projekt aufbewahrt: es wäre mehr als %1 MB. Beim Öffnen des Projekts wird es neu geplant.</translation>
     </message>
     <message>
         <source>Not enough memory (close other programs or use a smaller part)</source>
@@ -10020,7 +10020,7 @@
     </message>
     <message>
         <source>Nothing moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts verschoben</translation>
     </message>
     <message>
         <source>Nothing to do: %1. No program is written for it.</source>
@@ -10032,7 +10032,7 @@
     </message>
     <message>
         <source>Nothing was found that a recipe would mend.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gefunden, was ein Rezept behöbe.</translation>
     </message>
     <message>
         <source>Nothing was found.</source>
@@ -10104,7 +10104,7 @@
     </message>
     <message>
         <source>One operation is as it was planned: it was kept with the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Operation ist, wie sie geplant war: sie wurde mit dem Projekt aufbewahrt.</translation>
     </message>
     <message>
         <source>Only what is cut up to “%1” has been verified.</source>
@@ -10128,7 +10128,7 @@
     </message>
     <message>
         <source>Open a mesh, drop one here, or take a sample. STL files carry no unit: the sizes tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz öffnen, hierher ziehen oder ein Beispiel nehmen. STL-Dateien haben keine Einheit: die Größen sagen sie.</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -10192,7 +10192,7 @@
     </message>
     <message>
         <source>P&amp;review</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;orschau</translation>
     </message>
     <message>
         <source>Packed %1 files into %2.</source>
@@ -10268,7 +10268,7 @@
     </message>
     <message>
         <source>Passes side by side over the surface, with an upright tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahnen nebeneinander über die Fläche, mit senkrechtem Werkzeug</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -10288,7 +10288,7 @@
     </message>
     <message>
         <source>Pe&amp;rspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Perspe&amp;ktive</translation>
     </message>
     <message>
         <source>Pick %1</source>
@@ -10348,7 +10348,7 @@
     </message>
     <message>
         <source>Plan and verify</source>
-        <translation type="unfinished"></translation>
+        <translation>Planen und prüfen</translation>
     </message>
     <message>
         <source>Plan anyway</source>
@@ -10464,7 +10464,7 @@
     </message>
     <message>
         <source>Progress of the preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Vorschau</translation>
     </message>
     <message>
         <source>Project</source>
@@ -10472,11 +10472,11 @@
     </message>
     <message>
         <source>Put the steps away</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schritte wegräumen</translation>
     </message>
     <message>
         <source>Put the steps away; Help shows them again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schritte wegräumen; Hilfe zeigt sie wieder</translation>
     </message>
     <message>
         <source>Put the tools of the project into a library of its name</source>
@@ -10484,11 +10484,11 @@
     </message>
     <message>
         <source>Puts steps for what was found in the place of the recipe, to be changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt Schritte für das Gefundene an die Stelle des Rezepts, zum Ändern</translation>
     </message>
     <message>
         <source>Puts the recipe into the project, as one step that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt das Rezept in das Projekt, als einen Schritt, der sich rückgängig machen lässt</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -10540,7 +10540,7 @@
     </message>
     <message>
         <source>Reading what was planned</source>
-        <translation type="unfinished"></translation>
+        <translation>Geplantes wird gelesen</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -10560,7 +10560,7 @@
     </message>
     <message>
         <source>Recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>Rezept</translation>
     </message>
     <message>
         <source>Region</source>
@@ -10604,7 +10604,7 @@
     </message>
     <message>
         <source>Remove the step (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schritt entfernen (Entf)</translation>
     </message>
     <message>
         <source>Remove tool</source>
@@ -10632,7 +10632,7 @@
     </message>
     <message>
         <source>Repair part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil reparieren</translation>
     </message>
     <message>
         <source>Replace part</source>
@@ -10744,19 +10744,23 @@
     </message>
     <message>
         <source>Scan room</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan-Raum</translation>
     </message>
     <message>
         <source>Scan room: %1 steps…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan-Raum: %1 Schritte…</translation>
     </message>
     <message>
         <source>Scan room: 1 step…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan-Raum: 1 Schritt…</translation>
     </message>
     <message>
         <source>Scan room…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan-Raum…</translation>
+    </message>
+    <message>
+        <source>Scan that goes on where this one ends</source>
+        <translation>Scan, der weitergeht, wo dieser endet</translation>
     </message>
     <message>
         <source>Search the manual</source>
@@ -10844,7 +10848,7 @@
     </message>
     <message>
         <source>Show the &amp;steps of a first job</source>
-        <translation type="unfinished"></translation>
+        <translation>Die &amp;Schritte eines ersten Auftrags zeigen</translation>
     </message>
     <message>
         <source>Show the whole chart (double click, Home)</source>
@@ -10940,7 +10944,7 @@
     </message>
     <message>
         <source>Step %1 could not be carried out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1 konnte nicht ausgeführt werden.</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -10952,7 +10956,7 @@
     </message>
     <message>
         <source>Steps of the recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte des Rezepts</translation>
     </message>
     <message>
         <source>Stock</source>
@@ -10992,11 +10996,11 @@
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stop the preview (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Vorschau anhalten (Esc)</translation>
     </message>
     <message>
         <source>Straighten, move, mirror</source>
@@ -11016,7 +11020,7 @@
     </message>
     <message>
         <source>Su&amp;ggest</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschla&amp;gen</translation>
     </message>
     <message>
         <source>Surface to rework</source>
@@ -11114,11 +11118,11 @@
     </message>
     <message>
         <source>Takes the stock down layer by layer, and leaves an allowance</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt das Rohteil Ebene für Ebene ab und lässt ein Aufmaß</translation>
     </message>
     <message>
         <source>Takes the stock of a turning part down in passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt das Rohteil eines drehenden Teils in Bahnen ab</translation>
     </message>
     <message>
         <source>Tapered ball</source>
@@ -11174,7 +11178,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The file of the part is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei des Teils fehlt.</translation>
     </message>
     <message>
         <source>The folder is made.</source>
@@ -11258,7 +11262,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The part's chord tolerance is fixed from now on: with another one the painted facets would be others. A boundary of faces stays without that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sehnentoleranz des Teils liegt von nun an fest: mit einer anderen wären die gemalten Facetten andere. Eine Begrenzung aus Flächen kommt ohne das aus.</translation>
     </message>
     <message>
         <source>The part's surface</source>
@@ -11322,11 +11326,11 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The recipe is not the one of the preview.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rezept ist nicht das der Vorschau.</translation>
     </message>
     <message>
         <source>The recipe of the scan room was carried out</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rezept des Scan-Raums wurde ausgeführt</translation>
     </message>
     <message>
         <source>The stock as the tool cuts it (F10)</source>
@@ -11346,7 +11350,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The tool leans, so that a flat or bull-nosed cutter leaves wide strips</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug neigt sich, sodass ein flacher oder torischer Fräser breite Streifen fräst</translation>
     </message>
     <message>
         <source>The tried posture is not free: it would not be used</source>
@@ -11354,7 +11358,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The view shows the file's mesh, and tinted what the recipe takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht zeigt das Netz der Datei, getönt, was das Rezept wegnimmt</translation>
     </message>
     <message>
         <source>The view shows the stock as it stands when this operation has ended. The bar below the view plays it back.</source>
@@ -11362,7 +11366,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The view shows what the recipe makes, in colours of how far it moved, and tinted what is new</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht zeigt, was das Rezept macht, in Farben dafür, wie weit es sich bewegte, getönt, was neu ist</translation>
     </message>
     <message>
         <source>The window speaks it after the next start.</source>
@@ -11436,7 +11440,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>This recipe is in the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Rezept ist im Projekt.</translation>
     </message>
     <message>
         <source>This setup alone was judged, not the whole job.</source>
@@ -11556,7 +11560,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>Trying the recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rezept wird probiert</translation>
     </message>
     <message>
         <source>Turn about X</source>
@@ -11800,7 +11804,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
-        <translation type="unfinished"></translation>
+        <translation>Näheres ist größer; einen Maßstab gibt es dann nicht (Umschalt+P)</translation>
     </message>
     <message>
         <source>What is not saved cannot be kept for the case of a crash: %1. Save the project.</source>
@@ -11816,11 +11820,11 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>What the file holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Datei enthält</translation>
     </message>
     <message>
         <source>What the recipe makes of it; of single holes and pieces what becomes of them</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Rezept daraus macht; bei einzelnen Löchern und Stücken, was aus ihnen wird</translation>
     </message>
     <message>
         <source>What the view shows</source>
@@ -11828,7 +11832,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>What was kept of %1 is damaged, and is not used: plan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von %1 aufbewahrt war, ist beschädigt und wird nicht verwendet: neu planen.</translation>
     </message>
     <message>
         <source>What was planned before is kept: %1.</source>
@@ -11836,7 +11840,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>What was planned is not kept with the project: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geplantes wird nicht mit dem Projekt aufbewahrt: %1.</translation>
     </message>
     <message>
         <source>While a boundary is painted</source>
@@ -12056,7 +12060,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>filled</source>
-        <translation type="unfinished"></translation>
+        <translation>gefüllt</translation>
     </message>
     <message>
         <source>fit</source>
@@ -12068,7 +12072,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>goes</source>
-        <translation type="unfinished"></translation>
+        <translation>fällt weg</translation>
     </message>
     <message>
         <source>gouge</source>
@@ -12108,7 +12112,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>übrig</translation>
     </message>
     <message>
         <source>left drag: paint (Shift: erase); Ctrl + left drag: turn; Esc: end</source>
@@ -12120,7 +12124,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>lengths as in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen wie in der Datei</translation>
     </message>
     <message>
         <source>light</source>
@@ -12176,7 +12180,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>not watertight</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht wasserdicht</translation>
     </message>
     <message>
         <source>nothing is entered</source>
@@ -12192,7 +12196,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>aus</translation>
     </message>
     <message>
         <source>one for each operation</source>
@@ -12272,7 +12276,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>stays</source>
-        <translation type="unfinished"></translation>
+        <translation>bleibt</translation>
     </message>
     <message>
         <source>the %1's file “%2”</source>
@@ -12352,7 +12356,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>watertight</source>
-        <translation type="unfinished"></translation>
+        <translation>wasserdicht</translation>
     </message>
     <message>
         <source>where it touches</source>
@@ -12376,7 +12380,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>Ø %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ø %1</translation>
     </message>
     <message>
         <source>–</source>
