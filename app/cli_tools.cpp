@@ -82,7 +82,7 @@ void keep_asked(ToolLibrary& library, const Arguments& arguments) {
     library.holders.clear();
 }
 
-void run_import(const Arguments& arguments, Session& session) {
+void import_library(const Arguments& arguments, Session& session) {
     const std::string& input = arguments.operand(1);
     const ReadLibrary read = load_library(input, arguments.unit("--units", LengthUnit::mm));
     ToolLibrary library = read.library;
@@ -112,7 +112,7 @@ void run_import(const Arguments& arguments, Session& session) {
                  });
 }
 
-void run_export(const Arguments& arguments, Session& session) {
+void export_library(const Arguments& arguments, Session& session) {
     const fs::path output = arguments.operand(1);
     const std::string from = arguments.value("--project");
     ToolLibrary library = from.empty() ? all_of(library_folder(arguments)) : tools_of(load_project(from));
@@ -137,8 +137,8 @@ void run_export(const Arguments& arguments, Session& session) {
 
 void run_tools(const Arguments& arguments, Session& session) {
     const std::string& what = arguments.operand(0);
-    if (what == "import") return run_import(arguments, session);
-    if (what == "export") return run_export(arguments, session);
+    if (what == "import") return import_library(arguments, session);
+    if (what == "export") return export_library(arguments, session);
     throw Error(ErrorCode::usage, "tools", "'" + printable(what) + "' is neither import nor export",
                 "give import or export, and a file");
 }
