@@ -1,5 +1,6 @@
 #include "ui/cspace_words.h"
 
+#include "ui/language.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 #include "viz/cspace_display.h"

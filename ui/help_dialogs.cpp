@@ -1,6 +1,7 @@
 #include "ui/help_dialogs.h"
 
 #include "ui/icons.h"
+#include "ui/language.h"
 #include "ui/preferences_dialog.h"
 #include "ui/text.h"
 #include "ui/worded.h"

@@ -2,8 +2,8 @@
 
 #include "ui/help_browser.h"
 #include "ui/help_pages.h"
-#include "ui/language.h"
 #include "ui/icons.h"
+#include "ui/language.h"
 
 #include <QAction>
 #include <QGuiApplication>

@@ -115,4 +115,8 @@ QString spoken_language() {
     return spoken().code;
 }
 
+QString in_a_sentence(const QString& label) {
+    return spoken_language() == QLatin1String("de") ? label : label.left(1).toLower() + label.mid(1);
+}
+
 } // namespace facetmill::ui

@@ -38,4 +38,7 @@ void speak_by(std::unique_ptr<QTranslator> texts, const QLocale& numbers);
 /// The code of what is spoken; empty by `speak_by`.
 QString spoken_language();
 
+/// A label in the middle of a sentence: in small letters, but for languages whose nouns have capitals.
+QString in_a_sentence(const QString& label);
+
 } // namespace facetmill::ui

@@ -3,6 +3,7 @@
 #include "ui/help.h"
 #include "ui/help_pages.h"
 #include "ui/icons.h"
+#include "ui/language.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"

@@ -1,6 +1,7 @@
 #include "ui/record_table.h"
 
 #include "ui/icons.h"
+#include "ui/language.h"
 #include "ui/parameter_editor.h"
 #include "ui/text.h"
 #include "ui/theme.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/job/project.h"
+#include "core/mesh/mesh_report.h"
 #include "core/repair/repair.h"
 #include "core/repair/suggestion.h"
 #include "viz/repair_display.h"

@@ -1,6 +1,5 @@
 #include "ui/worded.h"
 
-#include "ui/language.h"
 #include "ui/text.h"
 
 #include <QCoreApplication>
@@ -212,10 +211,6 @@ QString worded(const QString& english) {
 
 QString worded(std::string_view english) {
     return worded(text(english));
-}
-
-QString in_a_sentence(const QString& label) {
-    return spoken_language() == QLatin1String("de") ? label : label.left(1).toLower() + label.mid(1);
 }
 
 QString worded(const char* english) {

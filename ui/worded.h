@@ -22,9 +22,6 @@ QString worded(const char* english);
 /// The whole line of an error.
 QString worded(const Error& e);
 
-/// A label in the middle of a sentence: in small letters, but for languages whose nouns have capitals.
-QString in_a_sentence(const QString& label);
-
 /// What fills the places of a template, where the text is one of it: "the diameter {1} is not above 0".
 std::optional<QStringList> filled_places(const QString& message, const QString& id);
 

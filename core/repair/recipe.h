@@ -30,9 +30,9 @@ struct RepairStep {
     Kind kind = Kind::turn;
     double size = 0; ///< pieces: diagonal of the box; holes, crossings: diameter; fins: as pieces; join:
                      ///< scans lie no farther apart
-    long facets = 0;          ///< pieces: with fewer; decimate: as many stay
-    double area = 0;          ///< pieces: with less
-    long keep = 0;            ///< pieces: so many with the largest areas stay
+    long facets = 0; ///< pieces: with fewer; decimate: as many stay
+    double area = 0; ///< pieces: with less
+    long keep = 0;   ///< pieces: so many with the largest areas stay
     Fill fill = Fill::smooth; ///< holes
     double bound = 0; ///< needles, smooth, decimate: nothing moves farther; join: the scan laid on this one
     double angle = radians(60);            ///< smooth: edges with a sharper bend are features

@@ -11,6 +11,7 @@
 #include "ui/project_tree.h"
 #include "ui/verification_controller.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 #include "viz/scene.h"
 
 #include <QDir>

@@ -8,6 +8,7 @@
 #include "ui/boundary_box.h"
 #include "ui/controllers.h"
 #include "ui/cspace_controller.h"
+#include "ui/cspace_panel.h"
 #include "ui/help.h"
 #include "ui/help_browser.h"
 #include "ui/help_pages.h"
