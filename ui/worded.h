@@ -25,7 +25,7 @@ QString worded(const Error& e);
 /// What fills the places of a template, where the text is one of it: "the diameter {1} is not above 0".
 std::optional<QStringList> filled_places(const QString& message, const QString& id);
 
-/// Of the templates that the text may be one of, the one that says most of it; empty where there is none.
+/// The template that says most of a message, of all that it may be one of; empty where there is none.
 QString message_id(const QString& message);
 
 } // namespace facetmill::ui
