@@ -10288,7 +10288,7 @@
     </message>
     <message>
         <source>Pe&amp;rspective</source>
-        <translation>Pers&amp;pective</translation>
+        <translation>Perspecti&amp;ve</translation>
     </message>
     <message>
         <source>Pick %1</source>
@@ -10848,7 +10848,7 @@
     </message>
     <message>
         <source>Show the &amp;steps of a first job</source>
-        <translation>Montrer les é&amp;tapes d'un premier travail</translation>
+        <translation>Montrer les étap&amp;es d'un premier travail</translation>
     </message>
     <message>
         <source>Show the whole chart (double click, Home)</source>
