@@ -1885,7 +1885,7 @@
     </message>
     <message>
         <source>Some edges have only one facet: the mesh is a sheet or has gaps. Nothing was healed; a cutter may enter a gap.</source>
-        <translation>Einige Kanten haben nur eine Facette: das Netz ist ein Blech oder hat Lücken. Nichts wurde geheilt; ein Fräser kann in eine Lücke geraten.</translation>
+        <translation>Einige Kanten haben nur eine Facette: das Netz ist eine offene Fläche oder hat Lücken. Nichts wurde geheilt; ein Fräser kann in eine Lücke geraten.</translation>
     </message>
     <message>
         <source>Some facets have no area (equal or collinear corners); they were left out.</source>
@@ -1989,7 +1989,7 @@
     </message>
     <message>
         <source>Surfaces of the file belong to no solid; they were taken as sheets.</source>
-        <translation>Flächen der Datei gehören zu keinem Körper; sie gelten als Bleche.</translation>
+        <translation>Flächen der Datei gehören zu keinem Körper; sie gelten als offene Flächen.</translation>
     </message>
     <message>
         <source>Surfaces that lie edge to edge within the chord tolerance were joined: the file does not say that they hang together.</source>
@@ -2025,7 +2025,7 @@
     </message>
     <message>
         <source>Takes the other side of open surfaces as their outside. By itself that is the upper side of a sheet, and the side that is seen of what nearly closes; of closed bodies it is always the outside.</source>
-        <translation>Nimmt die andere Seite offener Flächen als außen. Von selbst ist das die Oberseite eines Blechs, und bei fast Geschlossenem die sichtbare Seite; bei geschlossenen Körpern immer außen.</translation>
+        <translation>Nimmt die andere Seite offener Flächen als außen. Von selbst ist das ihre Oberseite, und bei fast Geschlossenem die sichtbare Seite; bei geschlossenen Körpern immer außen.</translation>
     </message>
     <message>
         <source>Taper angle</source>
@@ -2433,7 +2433,7 @@
     </message>
     <message>
         <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open.</source>
-        <translation>Was der Schritt tut: kleine Stücke entfernen, Facetten einheitlich wenden, Nadeln entfernen, Löcher füllen, Rauschen glätten, ausdünnen, an einer Ebene schneiden, ein Blech verdicken, neu machen, wo sich die Fläche selbst durchdringt, einen anderen Scan anfügen, Lappen entfernen, die an der Fläche hängen und im Freien enden.</translation>
+        <translation>Was der Schritt tut: kleine Stücke entfernen, Facetten einheitlich wenden, Nadeln entfernen, Löcher füllen, Rauschen glätten, ausdünnen, an einer Ebene schneiden, eine offene Fläche verdicken, neu machen, wo sich die Fläche selbst durchdringt, einen anderen Scan anfügen, Lappen entfernen, die an der Fläche hängen und im Freien enden.</translation>
     </message>
     <message>
         <source>What the stock is larger than the part: on both sides in x, on both sides in y, on top in z. Round a cylinder whose diameter is `auto` the larger one of those across its axis counts.</source>
@@ -5413,11 +5413,11 @@
     </message>
     <message>
         <source>say how large a sheet may be that goes</source>
-        <translation>sagen, wie groß ein Blech sein darf, das wegfällt</translation>
+        <translation>sagen, wie groß ein Lappen sein darf, der wegfällt</translation>
     </message>
     <message>
         <source>say how thick the sheet becomes</source>
-        <translation>sagen, wie dick das Blech wird</translation>
+        <translation>sagen, wie dick die Fläche wird</translation>
     </message>
     <message>
         <source>say the plane's direction</source>
@@ -6757,7 +6757,7 @@
     </message>
     <message>
         <source>thicken: how far behind the sheet its back lies; in front of it below 0.</source>
-        <translation>Verdicken: wie weit hinter dem Blech seine Rückseite liegt; unter 0 davor.</translation>
+        <translation>Verdicken: wie weit hinter der Fläche ihre Rückseite liegt; unter 0 davor.</translation>
     </message>
     <message>
         <source>thousands or decimals? export the part again with decimal points</source>
