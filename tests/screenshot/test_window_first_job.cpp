@@ -47,7 +47,7 @@ using ui::TreeNode;
 namespace {
 
 /// Gentle hills, 40 x 30 mm, as a scan might be.
-Mesh relief() {
+Mesh handed_relief() {
     return height_field([](double x, double y) { return 3 + std::sin(x / 7) * std::cos(y / 8); }, Vec2(0, 0),
                         Vec2(40, 30), 40, 30);
 }
@@ -215,7 +215,8 @@ private slots:
 
     /// By the steps above the view, which tick themselves off.
     void a_relief_in_millimetres() {
-        save_stl(relief(), (folder_ + QStringLiteral("/relief.stl")).toStdString(), LengthUnit::mm, {});
+        save_stl(handed_relief(), (folder_ + QStringLiteral("/relief.stl")).toStdString(), LengthUnit::mm,
+                 {});
         QVERIFY(!steps().isVisible()); // the program itself shows them at its first start
         action(w(), "first_steps")->trigger();
         QVERIFY(steps().isVisible() && steps().next() == 0);
