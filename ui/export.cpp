@@ -1,6 +1,7 @@
 #include "ui/export.h"
 
 #include "core/base/file.h"
+#include "core/mesh/mesh_writer.h"
 #include "ui/document.h"
 #include "ui/settings.h"
 #include "ui/text.h"
@@ -14,6 +15,13 @@ namespace facetmill::ui {
 
 namespace {
 
+QString mesh_filter() {
+    QStringList endings;
+    for (const MeshFileKind& kind : mesh_file_kinds())
+        endings << QChar('*') + text(kind.extension);
+    return QObject::tr("Meshes (%1)").arg(endings.join(QChar(' ')));
+}
+
 /// The file that the user names; empty: none.
 QString ask(QWidget* window, const QString& title, ExportFormat format, QString name) {
     struct Format {
@@ -21,7 +29,9 @@ QString ask(QWidget* window, const QString& title, ExportFormat format, QString 
     };
     const Format formats[] = {{QObject::tr("Pictures (*.png)"), QStringLiteral("png")},
                               {QObject::tr("Tables (*.csv)"), QStringLiteral("csv")},
-                              {QObject::tr("Web pages (*.html)"), QStringLiteral("html")}};
+                              {QObject::tr("Web pages (*.html)"), QStringLiteral("html")},
+                              {mesh_filter(), QStringLiteral("stl")},
+                              {mesh_filter(), QStringLiteral("ply")}};
     const auto& [filter, suffix] = formats[std::size_t(format)];
     QFileDialog dialog(window, title, settings::last_folder(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);

@@ -21,7 +21,8 @@ void keep_files(const Document& document, const std::filesystem::path& output);
 /// The same for the program alone: a project may be saved over itself.
 void keep_program(const Document& document, const std::filesystem::path& output);
 
-enum class ExportFormat { picture, table, web_page };
+/// mesh, deviation: of any format of mesh_file_kinds; without an ending STL, and PLY, which holds figures.
+enum class ExportFormat { picture, table, web_page, mesh, deviation };
 
 /// Asks for a file, beginning with a name without folder and extension, and has it written; nothing when the
 /// user gives up.

@@ -7,6 +7,7 @@
 #include "core/output/apt.h"
 #include "ui/export.h"
 #include "ui/export_dialog.h"
+#include "ui/mesh_export.h"
 #include "ui/messages.h"
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
@@ -30,7 +31,8 @@ ProgramExport::ProgramExport(const Document& document, BackgroundJob& job, Messa
                              PropertiesPanel& properties, Viewport& viewport,
                              VerificationController& verification, QWidget* window)
     : QObject(window), document_(document), job_(job), messages_(messages), properties_(properties),
-      viewport_(viewport), verification_(verification), window_(window) {}
+      viewport_(viewport), verification_(verification), window_(window),
+      meshes_(new MeshExport(document, job, messages, verification, window)) {}
 
 void ProgramExport::programs_with_dialog() {
     ask_folder(std::nullopt);

@@ -9,6 +9,7 @@
 
 namespace facetmill::ui {
 
+class MeshExport;
 class Messages;
 class PropertiesPanel;
 class VerificationController;
@@ -29,6 +30,7 @@ public:
     void sheet_with_dialog();
     /// Writes the setup sheet of the plan as it was verified, with the view as it is, in the background.
     void save_sheet(const QString& path);
+    MeshExport& meshes() { return *meshes_; }
     void picture_with_dialog();
     bool save_picture(const QString& path);
 
@@ -51,6 +53,7 @@ private:
     Viewport& viewport_;
     VerificationController& verification_;
     QWidget* window_;
+    MeshExport* meshes_;
 };
 
 } // namespace facetmill::ui

@@ -12,6 +12,7 @@
 #include "ui/inputs_controller.h"
 #include "ui/main_window.h"
 #include "ui/measure_controller.h"
+#include "ui/mesh_export.h"
 #include "ui/plan_runner.h"
 #include "ui/preferences_dialog.h"
 #include "ui/program_export.h"
@@ -38,6 +39,26 @@ namespace {
 
 QString tr(const char* text) {
     return QObject::tr(text);
+}
+
+void add_mesh_commands(Commands& commands, MainWindow& w) {
+    MeshExport& meshes = w.exports().meshes();
+    const auto add = [&](const QString& name, const QString& title, MeshExport::What what,
+                         const QString& tip) {
+        commands.add({name,
+                      title,
+                      {},
+                      {},
+                      [&meshes, what] { meshes.with_dialog(what); },
+                      [&w, &meshes, what] { return !w.job().running() && meshes.has(what); },
+                      {},
+                      tip});
+    };
+    add("export_part", tr("&Part…"), MeshExport::What::part, tr("The part as it lies, as STL, 3MF or PLY"));
+    add("export_stock", tr("&Stock…"), MeshExport::What::stock,
+        tr("What all operations leave of the stock, as STL, 3MF or PLY"));
+    add("export_deviation", tr("&Deviation…"), MeshExport::What::deviation,
+        tr("The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL"));
 }
 
 void add_file_commands(Commands& commands, MainWindow& w) {
@@ -133,6 +154,7 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   {},
                   [&] { exports.picture_with_dialog(); },
                   has_part});
+    add_mesh_commands(commands, w);
     commands.add({"quit", tr("&Quit"), {}, {QKeySequence(QKeySequence::Quit)}, [&w] { w.close(); }});
 }
 

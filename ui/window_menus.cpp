@@ -43,7 +43,8 @@ Entries views() {
 
 /// Menus inside others; their own names are entries there.
 std::vector<MenuTable> submenus() {
-    return {{"unit_menu", tr("Un&it"), {"unit_mm", "unit_inch"}},
+    return {{"mesh_menu", tr("Export mes&h"), {"export_part", "export_stock", "export_deviation"}},
+            {"unit_menu", tr("Un&it"), {"unit_mm", "unit_inch"}},
             {"shading_menu", tr("Part &shading"), {"shade_smooth", "shade_flat", "shade_wire"}},
             {"colour_menu", tr("&Colours"), {"theme_system", "theme_light", "theme_dark"}}};
 }
@@ -52,9 +53,28 @@ std::vector<MenuTable> menus() {
     return {
         {"file_menu",
          tr("&File"),
-         {"new",          "samples", "open",        "recent", "open_program",   "close_program", "-",
-          "save",         "save_as", "save_packed", "-",      "apply_template", "save_template", "-",
-          "replace_part", "locate",  "-",           "export", "setup_sheet",    "picture",       "-",
+         {"new",
+          "samples",
+          "open",
+          "recent",
+          "open_program",
+          "close_program",
+          "-",
+          "save",
+          "save_as",
+          "save_packed",
+          "-",
+          "apply_template",
+          "save_template",
+          "-",
+          "replace_part",
+          "locate",
+          "-",
+          "export",
+          "setup_sheet",
+          "picture",
+          "mesh_menu",
+          "-",
           "quit"}},
         {"edit_menu",
          tr("&Edit"),

@@ -7907,6 +7907,10 @@
         <translation>&amp;Dunkel</translation>
     </message>
     <message>
+        <source>&amp;Deviation…</source>
+        <translation>&amp;Abweichung…</translation>
+    </message>
+    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
     </message>
@@ -8019,6 +8023,10 @@
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
+        <source>&amp;Part…</source>
+        <translation>&amp;Teil…</translation>
+    </message>
+    <message>
         <source>&amp;Plan</source>
         <translation>&amp;Planen</translation>
     </message>
@@ -8045,6 +8053,10 @@
     <message>
         <source>&amp;Smooth</source>
         <translation>&amp;Geglättet</translation>
+    </message>
+    <message>
+        <source>&amp;Stock…</source>
+        <translation>&amp;Rohteil…</translation>
     </message>
     <message>
         <source>&amp;Tilt from upright</source>
@@ -9047,6 +9059,10 @@
         <translation>Ihr Programm exportieren…</translation>
     </message>
     <message>
+        <source>Export mes&amp;h</source>
+        <translation>Netz ex&amp;portieren</translation>
+    </message>
+    <message>
         <source>Export p&amp;icture…</source>
         <translation>Bild e&amp;xportieren…</translation>
     </message>
@@ -9095,8 +9111,20 @@
         <translation>Den Konfigurationsraum als Bild exportieren (PNG)</translation>
     </message>
     <message>
+        <source>Export the deviation as a mesh</source>
+        <translation>Die Abweichung als Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Export the part as a mesh</source>
+        <translation>Das Teil als Netz exportieren</translation>
+    </message>
+    <message>
         <source>Export the postures as a table (CSV)</source>
         <translation>Die Stellungen als Tabelle exportieren (CSV)</translation>
+    </message>
+    <message>
+        <source>Export the stock as a mesh</source>
+        <translation>Das Rohteil als Netz exportieren</translation>
     </message>
     <message>
         <source>Export the unrolled path</source>
@@ -11221,6 +11249,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Die vorige Seite (Alt+←)</translation>
     </message>
     <message>
+        <source>The part as it lies, as STL, 3MF or PLY</source>
+        <translation>Das Teil, wie es liegt, als STL, 3MF oder PLY</translation>
+    </message>
+    <message>
         <source>The part as it lies, its stock and fixtures (F7)</source>
         <translation>Das Teil, wie es liegt, Rohteil und Spannmittel (F7)</translation>
     </message>
@@ -11335,6 +11367,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The stock as the tool cuts it (F10)</source>
         <translation>Das Rohteil, wie das Werkzeug es fräst (F10)</translation>
+    </message>
+    <message>
+        <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
+        <translation>Die Fläche des Urteils mit ihren Abweichungen: in PLY als Zahlen, in 3MF und STL als Farben</translation>
     </message>
     <message>
         <source>The template cannot be applied: %1</source>
@@ -11803,6 +11839,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was ein Werkzeug stehen lässt</translation>
     </message>
     <message>
+        <source>What all operations leave of the stock, as STL, 3MF or PLY</source>
+        <translation>Was alle Operationen vom Rohteil übrig lassen, als STL, 3MF oder PLY</translation>
+    </message>
+    <message>
         <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
         <translation>Näheres ist größer; einen Maßstab gibt es dann nicht (Umschalt+P)</translation>
     </message>
@@ -11885,6 +11925,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Write the whole path of a folder.</source>
         <translation>Den ganzen Pfad eines Ordners eingeben.</translation>
+    </message>
+    <message>
+        <source>Writing a mesh</source>
+        <translation>Ein Netz wird geschrieben</translation>
     </message>
     <message>
         <source>Writing programs</source>
@@ -12013,6 +12057,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>dark</source>
         <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
     </message>
     <message>
         <source>edges between facets of opposite winding</source>
@@ -12235,6 +12283,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>über der Grenze des Anstellwinkels</translation>
     </message>
     <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
         <source>plan</source>
         <translation>planen</translation>
     </message>
@@ -12277,6 +12329,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>stays</source>
         <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>Rohteil</translation>
     </message>
     <message>
         <source>the %1's file “%2”</source>

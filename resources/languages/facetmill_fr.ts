@@ -7907,6 +7907,10 @@
         <translation>&amp;Sombre</translation>
     </message>
     <message>
+        <source>&amp;Deviation…</source>
+        <translation>&amp;Écart…</translation>
+    </message>
+    <message>
         <source>&amp;Discard</source>
         <translation>A&amp;bandonner</translation>
     </message>
@@ -8019,6 +8023,10 @@
         <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
+        <source>&amp;Part…</source>
+        <translation>&amp;Pièce…</translation>
+    </message>
+    <message>
         <source>&amp;Plan</source>
         <translation>&amp;Planifier</translation>
     </message>
@@ -8045,6 +8053,10 @@
     <message>
         <source>&amp;Smooth</source>
         <translation>&amp;Lissé</translation>
+    </message>
+    <message>
+        <source>&amp;Stock…</source>
+        <translation>&amp;Brut…</translation>
     </message>
     <message>
         <source>&amp;Tilt from upright</source>
@@ -9047,6 +9059,10 @@
         <translation>Exporter son programme…</translation>
     </message>
     <message>
+        <source>Export mes&amp;h</source>
+        <translation>Ex&amp;porter un maillage</translation>
+    </message>
+    <message>
         <source>Export p&amp;icture…</source>
         <translation>Exporter une &amp;image…</translation>
     </message>
@@ -9095,8 +9111,20 @@
         <translation>Exporter l'espace des configurations en image (PNG)</translation>
     </message>
     <message>
+        <source>Export the deviation as a mesh</source>
+        <translation>Exporter l'écart comme maillage</translation>
+    </message>
+    <message>
+        <source>Export the part as a mesh</source>
+        <translation>Exporter la pièce comme maillage</translation>
+    </message>
+    <message>
         <source>Export the postures as a table (CSV)</source>
         <translation>Exporter les postures en tableau (CSV)</translation>
+    </message>
+    <message>
+        <source>Export the stock as a mesh</source>
+        <translation>Exporter le brut comme maillage</translation>
     </message>
     <message>
         <source>Export the unrolled path</source>
@@ -11221,6 +11249,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>La page précédente (Alt+←)</translation>
     </message>
     <message>
+        <source>The part as it lies, as STL, 3MF or PLY</source>
+        <translation>La pièce comme elle est posée, en STL, 3MF ou PLY</translation>
+    </message>
+    <message>
         <source>The part as it lies, its stock and fixtures (F7)</source>
         <translation>La pièce posée, son brut et ses bridages (F7)</translation>
     </message>
@@ -11335,6 +11367,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The stock as the tool cuts it (F10)</source>
         <translation>Le brut tel que l'outil l'usine (F10)</translation>
+    </message>
+    <message>
+        <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
+        <translation>La surface du verdict avec ses écarts : en chiffres dans PLY, en couleurs dans 3MF et STL</translation>
     </message>
     <message>
         <source>The template cannot be applied: %1</source>
@@ -11803,6 +11839,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce que laisse un outil</translation>
     </message>
     <message>
+        <source>What all operations leave of the stock, as STL, 3MF or PLY</source>
+        <translation>Ce que toutes les opérations laissent du brut, en STL, 3MF ou PLY</translation>
+    </message>
+    <message>
         <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
         <translation>Ce qui est plus près est plus grand ; il n'y a alors pas d'échelle (Maj+P)</translation>
     </message>
@@ -11885,6 +11925,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Write the whole path of a folder.</source>
         <translation>Écrire le chemin complet d'un dossier.</translation>
+    </message>
+    <message>
+        <source>Writing a mesh</source>
+        <translation>Écriture d'un maillage</translation>
     </message>
     <message>
         <source>Writing programs</source>
@@ -12013,6 +12057,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>dark</source>
         <translation>sombre</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>écart</translation>
     </message>
     <message>
         <source>edges between facets of opposite winding</source>
@@ -12235,6 +12283,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>selon la limite d'attaque</translation>
     </message>
     <message>
+        <source>part</source>
+        <translation>pièce</translation>
+    </message>
+    <message>
         <source>plan</source>
         <translation>planifier</translation>
     </message>
@@ -12277,6 +12329,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>stays</source>
         <translation>reste</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>brut</translation>
     </message>
     <message>
         <source>the %1's file “%2”</source>

@@ -150,6 +150,7 @@ void answer_file_dialog(bool& asked, const QString& file) {
         if (name && name->text() != file) name->setText(file);
         auto* buttons = dialog->findChild<QDialogButtonBox*>(QStringLiteral("buttonBox"));
         QPushButton* open = buttons ? buttons->button(QDialogButtonBox::Open) : nullptr;
+        if (buttons && !open) open = buttons->button(QDialogButtonBox::Save);
         if (open && open->isEnabled()) QTest::mouseClick(open, Qt::LeftButton);
     });
     timer->start(50);
