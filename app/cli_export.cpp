@@ -72,10 +72,7 @@ void add_deviation(Exported& out, const Verification& result) {
     const DeviationSurface& surface = *result.surface;
     out.mesh = std::make_shared<Mesh>(deviation_mesh(surface));
     out.values = surface.deviation;
-    const auto rgba = deviation_colors(surface.deviation, surface.flags, default_scale(result, out.unit));
-    out.colors.resize(surface.points.size());
-    for (std::size_t v = 0; v < out.colors.size(); ++v)
-        std::copy_n(rgba.begin() + std::ptrdiff_t(4 * v), 3, out.colors[v].begin());
+    out.colors = deviation_vertex_colors(surface.deviation, surface.flags, default_scale(result, out.unit));
 }
 
 Exported export_cut(const Arguments& arguments, const Project& project, const std::string& what,

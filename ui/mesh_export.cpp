@@ -14,7 +14,6 @@
 
 #include <QFileInfo>
 
-#include <algorithm>
 #include <functional>
 
 namespace facetmill::ui {
@@ -63,17 +62,13 @@ std::function<MeshExport::Content(const Progress&)> MeshExport::content(What wha
                 stock_after(plan->stock, verify_programs(project, plan), settings, p.part(0, 0.7));
             return Content{std::make_shared<Mesh>(stock_mesh(*left, p.part(0.7, 1))), {}, {}};
         };
-    return [outcome = verification_.model().outcome_shared(),
-            unit = document_.project().unit](const Progress&) {
-        const DeviationSurface& surface = *outcome->verification->surface;
-        Content out{std::make_shared<Mesh>(deviation_mesh(surface)), surface.deviation, {}};
-        const auto rgba =
-            deviation_colors(surface.deviation, surface.flags, default_scale(*outcome->verification, unit));
-        out.colors.resize(surface.points.size());
-        for (std::size_t v = 0; v < out.colors.size(); ++v)
-            std::copy_n(rgba.begin() + std::ptrdiff_t(4 * v), 3, out.colors[v].begin());
-        return out;
-    };
+    return
+        [outcome = verification_.model().outcome_shared(), unit = document_.project().unit](const Progress&) {
+            const DeviationSurface& surface = *outcome->verification->surface;
+            return Content{std::make_shared<Mesh>(deviation_mesh(surface)), surface.deviation,
+                           deviation_vertex_colors(surface.deviation, surface.flags,
+                                                   default_scale(*outcome->verification, unit))};
+        };
 }
 
 void MeshExport::save(What what, const QString& path) {

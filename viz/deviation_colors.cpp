@@ -184,4 +184,14 @@ std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
     return colors;
 }
 
+std::vector<VertexColor> deviation_vertex_colors(std::span<const float> deviation,
+                                                 std::span<const std::uint8_t> flags,
+                                                 const DeviationScale& scale) {
+    const std::vector<std::uint8_t> rgba = deviation_colors(deviation, flags, scale);
+    std::vector<VertexColor> colors(deviation.size());
+    for (std::size_t v = 0; v < colors.size(); ++v)
+        std::copy_n(rgba.begin() + std::ptrdiff_t(4 * v), 3, colors[v].begin());
+    return colors;
+}
+
 } // namespace facetmill

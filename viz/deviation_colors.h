@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "core/mesh/mesh_writer.h"
 
 #include <array>
 #include <cstdint>
@@ -41,6 +42,10 @@ bool judged(std::uint8_t flags, float deviation, double gouge_limit);
 /// Colours of samples (`flags` may be empty: all judged unless NaN). About 10 ms per million.
 std::vector<std::uint8_t> deviation_colors(std::span<const float> deviation,
                                            std::span<const std::uint8_t> flags, const DeviationScale& scale);
+/// The same as meshes are written with them (core/mesh/mesh_writer.h).
+std::vector<VertexColor> deviation_vertex_colors(std::span<const float> deviation,
+                                                 std::span<const std::uint8_t> flags,
+                                                 const DeviationScale& scale);
 
 /// Marks beside a bar or under a histogram of the scale: value and text, ascending; ends, zero and the limits
 /// where they stand apart by at least `min_gap` of the scale's width.
