@@ -13,34 +13,22 @@
 #include "ui/project_files.h"
 #include "ui/project_tree.h"
 #include "ui/verification_controller.h"
-#include "ui/viewport.h"
 #include "ui/workspaces.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QKeyEvent>
-#include <QTemporaryDir>
 
 #include <cmath>
 #include <cstdio>
 #include <functional>
 
-#include <vtkObject.h>
-
 using namespace facetmill;
 using namespace facetmill::test;
 
 int main(int argc, char** argv) {
-    QTemporaryDir home;
-    qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
-    qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
-    qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
-    vtkObject::GlobalWarningDisplayOff();
-    ui::Viewport::set_default_format();
-    QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
-    QApplication app(argc, argv);
+    const BenchApplication app(argc, argv);
     const int cells = int(std::sqrt((argc > 1 ? std::atof(argv[1]) : 200000.0) / 2));
-    const QString path = home.path() + QStringLiteral("/relief.stl");
+    const QString path = app.home() + QStringLiteral("/relief.stl");
     save_stl(height_field([](double x, double y) { return 3 + std::sin(x / 7) * std::cos(y / 8); },
                           Vec2(0, 0), Vec2(60, 40), cells, cells),
              path.toStdString(), LengthUnit::mm, {});
@@ -101,7 +89,7 @@ int main(int argc, char** argv) {
         run_for(2000);
         press(Qt::Key_Space);
     });
-    row("exported", [&] { window.exports().save_programs(home.path() + QStringLiteral("/programs")); });
-    row("saved", [&] { window.files().save_to(home.path() + QStringLiteral("/job.facetmill")); });
+    row("exported", [&] { window.exports().save_programs(app.home() + QStringLiteral("/programs")); });
+    row("saved", [&] { window.files().save_to(app.home() + QStringLiteral("/job.facetmill")); });
     return 0;
 }

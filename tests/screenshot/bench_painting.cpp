@@ -11,16 +11,12 @@
 #include "ui/viewport.h"
 
 #include <QAbstractButton>
-#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QTemporaryDir>
 
 #include <cmath>
 #include <cstdio>
-
-#include <vtkObject.h>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -48,15 +44,8 @@ Mesh wavy_field(std::size_t facets) {
 } // namespace
 
 int main(int argc, char** argv) {
-    QTemporaryDir home;
-    qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
-    qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
-    qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
-    vtkObject::GlobalWarningDisplayOff();
-    ui::Viewport::set_default_format();
-    QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
-    QApplication app(argc, argv);
-    const QString path = home.path() + QStringLiteral("/field.stl");
+    const BenchApplication app(argc, argv);
+    const QString path = app.home() + QStringLiteral("/field.stl");
     save_stl(wavy_field(argc > 1 ? std::size_t(std::atoll(argv[1])) : 1000000), path.toStdString(),
              LengthUnit::mm, {});
 

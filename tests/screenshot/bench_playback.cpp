@@ -7,28 +7,17 @@
 #include "ui/verification_controller.h"
 #include "ui/viewport.h"
 
-#include <QApplication>
 #include <QDockWidget>
 #include <QSlider>
-#include <QTemporaryDir>
 
 #include <cstdio>
 #include <cstdlib>
-
-#include <vtkObject.h>
 
 using namespace facetmill;
 using namespace facetmill::test;
 
 int main(int argc, char** argv) {
-    QTemporaryDir home;
-    qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
-    qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
-    qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
-    vtkObject::GlobalWarningDisplayOff();
-    ui::Viewport::set_default_format();
-    QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
-    QApplication app(argc, argv);
+    const BenchApplication app(argc, argv);
     ui::MainWindow window;
     window.resize(1280, 800);
     window.show();

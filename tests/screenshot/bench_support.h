@@ -2,13 +2,17 @@
 #pragma once
 
 #include "ui/main_window.h"
+#include "ui/viewport.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <algorithm>
 #include <ctime>
+
+#include <vtkObject.h>
 
 namespace facetmill::test {
 
@@ -49,6 +53,25 @@ private:
     QTimer timer_;
     QElapsedTimer since_;
     qint64 longest_ = 0, computed_ = 0, max_ = 0;
+};
+
+/// The application of a bench: settings and files of its own, in a folder that goes with it.
+class BenchApplication {
+public:
+    BenchApplication(int& argc, char** argv) : app_((prepare(home_), argc), argv) {}
+    QString home() const { return home_.path(); }
+
+private:
+    static void prepare(const QTemporaryDir& home) {
+        qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
+        qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
+        qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
+        vtkObject::GlobalWarningDisplayOff();
+        ui::Viewport::set_default_format();
+        QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
+    }
+    QTemporaryDir home_;
+    QApplication app_;
 };
 
 inline void run_for(int ms) {

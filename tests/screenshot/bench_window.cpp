@@ -9,11 +9,9 @@
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +19,6 @@
 #include <filesystem>
 #include <functional>
 #include <vector>
-
-#include <vtkObject.h>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -50,16 +46,9 @@ MeshPtr height_field(std::size_t facets) {
 } // namespace
 
 int main(int argc, char** argv) {
-    QTemporaryDir home;
-    qputenv("XDG_CONFIG_HOME", (home.path() + QStringLiteral("/config")).toUtf8());
-    qputenv("XDG_CACHE_HOME", (home.path() + QStringLiteral("/cache")).toUtf8());
-    qputenv("XDG_DATA_HOME", (home.path() + QStringLiteral("/data")).toUtf8());
-    vtkObject::GlobalWarningDisplayOff();
-    ui::Viewport::set_default_format();
-    QApplication::setOrganizationName(QStringLiteral("FacetmillTest"));
-    QApplication app(argc, argv);
+    const BenchApplication app(argc, argv);
     const std::size_t facets = argc > 1 ? std::size_t(std::atoll(argv[1])) : 1000000;
-    const QString path = home.path() + QStringLiteral("/field.stl");
+    const QString path = app.home() + QStringLiteral("/field.stl");
     save_stl(*height_field(facets), path.toStdString(), LengthUnit::mm, {});
 
     ui::MainWindow window;
