@@ -125,13 +125,7 @@ class TestWindowLanguages : public QObject, public WindowFixture {
         w().resize(size);
         QVERIFY(wait_until_settled(w()));
         const auto look = [&](const QWidget& at, const QString& where) {
-            // A background job may just have changed a text, whose label grows with the next event.
-            QStringList lines = cut_texts(at);
-            for (int tries = 0; tries < 20 && !lines.isEmpty(); ++tries) {
-                QTest::qWait(25);
-                lines = cut_texts(at);
-            }
-            for (const QString& line : lines)
+            for (const QString& line : found_at_rest([&] { return cut_texts(at); }))
                 cut << where + QStringLiteral(": ") + line;
         };
         for (const TreeNode& node : {TreeNode{TreeNode::Kind::part, 0},

@@ -79,17 +79,6 @@ QStringList cut_words(QWidget& top, const QString& page) {
     return found;
 }
 
-/// The same when the page has come to rest: a background job may just have changed a text, whose label grows
-/// with the next event.
-QStringList cut_words_at_rest(QWidget& top, const QString& page) {
-    QStringList found = cut_words(top, page);
-    for (int tries = 0; tries < 20 && !found.isEmpty(); ++tries) {
-        QTest::qWait(25);
-        found = cut_words(top, page);
-    }
-    return found;
-}
-
 } // namespace
 
 class TestWindowLayout : public QObject, private WindowFixture {
@@ -119,7 +108,7 @@ private slots:
         w().set_theme(dark ? ui::Theme::dark : ui::Theme::light);
         action(w(), "first_steps")->trigger();
         QTest::qWait(30);
-        QStringList found = cut_words_at_rest(w(), QStringLiteral("start"));
+        QStringList found = found_at_rest([&] { return cut_words(w(), QStringLiteral("start")); });
         const QString tag = QString::fromLatin1(QTest::currentDataTag());
         shot(w(), QStringLiteral("layout-%1-start").arg(tag));
         QVERIFY(open_and_plan());
@@ -127,7 +116,7 @@ private slots:
         int pages = 0;
         const auto look = [&](QWidget& top, const QString& page) {
             ++pages;
-            found << cut_words_at_rest(top, page);
+            found << found_at_rest([&] { return cut_words(top, page); });
             if (!qEnvironmentVariableIsEmpty("FACETMILL_LAYOUT_PICTURES"))
                 shot(top,
                      QStringLiteral("layout-%1-%2").arg(tag, QString(page).replace(QChar('/'), QChar('-'))));

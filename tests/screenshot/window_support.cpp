@@ -131,6 +131,15 @@ void answer_next(QMessageBox::StandardButton button, bool& asked) {
     });
 }
 
+QStringList found_at_rest(const std::function<QStringList()>& find) {
+    QStringList found = find();
+    for (int tries = 0; tries < 20 && !found.isEmpty(); ++tries) {
+        QTest::qWait(25);
+        found = find();
+    }
+    return found;
+}
+
 void answer_file_dialog(bool& asked, const QString& file) {
     auto* timer = new QTimer(qApp);
     const auto answered = std::make_shared<QPointer<QFileDialog>>();

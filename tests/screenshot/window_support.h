@@ -10,8 +10,10 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 class QAction;
@@ -33,6 +35,10 @@ int changed_pixels(const QImage& a, const QImage& b, int least = 24);
 
 /// Waits for a window to be shown and makes it the active one: there is no window manager to do so.
 bool activate(QWidget& window);
+
+/// What `find` finds when the page has come to rest: a background job may just have changed a text, whose
+/// label grows with the next event.
+QStringList found_at_rest(const std::function<QStringList()>& find);
 
 /// Clears an editor and types into it, key by key, without leaving it.
 void type_over(QWidget* editor, const QString& text);
