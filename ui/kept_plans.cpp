@@ -6,6 +6,7 @@
 #include "ui/text.h"
 #include "ui/verification_controller.h"
 #include "ui/verification_run.h"
+#include "ui/worded.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -158,7 +159,7 @@ void KeptPlans::Writing::run(FileContents& contents, const Progress& progress) {
                 },
                 progress);
     } catch (const Error& e) {
-        failure = text(e.what());
+        failure = worded(e);
     } catch (const Cancelled&) {
         return; // nobody can
     }
