@@ -70,6 +70,12 @@ Document::Document(QObject* parent) : QObject(parent) {
     });
 }
 
+Document::~Document() {
+    // A history that goes says once more that it is clean. Whoever then asks the document would read plans
+    // that are gone already.
+    undo_.disconnect(this);
+}
+
 QString Document::name() const {
     if (!project_.path.empty()) return path_text(project_.path.filename());
     return name_;

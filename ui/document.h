@@ -35,6 +35,7 @@ class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     /// False before the first part: an empty window.
     bool has_part() const { return !project_.part.file.empty(); }

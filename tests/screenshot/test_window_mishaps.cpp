@@ -30,6 +30,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -124,6 +125,17 @@ private slots:
         QVERIFY(asked);
         QVERIFY(!w().isVisible());
         close_window(); // comes back: the job has ended
+    }
+
+    /// With steps in its history that nobody saved: nothing asks it any more.
+    void a_document_goes_without_a_word() {
+        auto document = std::make_unique<ui::Document>();
+        document->change(QStringLiteral("Name"), [](Project& p) { p.tools.emplace_back(); });
+        QVERIFY(document->modified());
+        int words = 0;
+        connect(document.get(), &ui::Document::modified_changed, this, [&] { ++words; });
+        document.reset();
+        QCOMPARE(words, 0);
     }
 
     void undo_and_removal_while_planning() {
