@@ -219,8 +219,8 @@ private slots:
         since.start();
         heart.start(5);
         QTest::qWait(400);
+        QTRY_VERIFY_WITH_TIMEOUT(beats > 3, 60000); // the window lives, on a busy machine too
         heart.stop();
-        QVERIFY(beats > 3); // the window lives
         QVERIFY(w().job().running());
         shot(w(), QStringLiteral("window-planning"));
         whole.start();
