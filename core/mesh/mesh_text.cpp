@@ -43,20 +43,23 @@ bool starts_with_solid(std::string_view bytes) {
 bool is_wide_text(std::string_view bytes) {
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
     if (bytes.starts_with(std::string_view("\0\0\xFE\xFF", 4))) return true;
-    // Without a mark: the letters of an ASCII keyword with a zero beside each.
-    if (bytes.size() < 8) return false;
-    for (const std::size_t zero : {std::size_t(0), std::size_t(1)}) {
-        bool wide = true;
-        for (std::size_t i = 0; i < 8; ++i)
-            wide = wide && (i % 2 == zero ? bytes[i] == '\0' : bytes[i] >= '\t' && bytes[i] < '\x7F');
-        if (wide) return true;
-    }
+    // Without a mark: the letters of an ASCII keyword, each with one zero beside it, or with three.
+    if (bytes.size() < 16) return false;
+    for (const std::size_t width : {2, 4})
+        for (const std::size_t letter : {std::size_t(0), width - 1}) {
+            bool wide = true;
+            for (std::size_t i = 0; i < 4 * width; ++i)
+                wide =
+                    wide && (i % width == letter ? bytes[i] >= '\t' && bytes[i] < '\x7F' : bytes[i] == '\0');
+            if (wide) return true;
+        }
     return false;
 }
 
 bool is_text(std::string_view bytes) {
-    // Padding with zeros at the end does not make a text binary; one damaged byte does not either.
-    while (!bytes.empty() && bytes.back() == '\0')
+    // Padding at the end, with zeros or CP/M's end of file, does not make a text binary; one damaged byte
+    // does not either.
+    while (!bytes.empty() && (bytes.back() == '\0' || bytes.back() == '\x1A'))
         bytes.remove_suffix(1);
     const std::string_view sample = bytes.substr(0, 1u << 16);
     std::size_t odd = 0;
@@ -87,12 +90,16 @@ std::string_view foreign_content(std::string_view bytes) {
         {"BM", "a BMP picture"},
         {"\x1F\x8B", "a gzip archive"},
         {"PK\x03\x04", "a ZIP archive (perhaps 3MF)"},
+        {"PK\x05\x06", "an empty ZIP archive"},
         {"7z\xBC\xAF", "a 7z archive"},
         {"Rar!", "a RAR archive"},
         {"BZh", "a bzip2 archive"},
         {"\xFD"
          "7zXZ",
          "an xz archive"},
+        {"\x28\xB5\x2F\xFD", "a Zstandard archive"},
+        {"x\x9C", "data compressed by zlib"},
+        {"x\xDA", "data compressed by zlib"},
         {"%PDF", "a PDF document"},
         {"\x7F"
          "ELF",
@@ -105,14 +112,25 @@ std::string_view foreign_content(std::string_view bytes) {
         {"glTF", "a glTF file"},
         {"#VRML", "a VRML file"},
         {"OFF", "an OFF file"},
+        {"BLENDER", "a Blender file"},
+        {"DRACO", "a Draco file"},
+        {"**ABCDEFGHIJKLMNOPQRSTUVWXYZ", "a Parasolid file"},
+        {"0\nSECTION", "a DXF file"},
+        {"0\r\nSECTION", "a DXF file"},
+        {"  0\nSECTION", "a DXF file"},
+        {"  0\r\nSECTION", "a DXF file"},
+        {"version https://git-lfs", "a pointer of Git LFS to a file that was not fetched"},
+        {std::string_view("\0\x05\x16\x07", 4), "an AppleDouble file, which macOS puts beside the mesh"},
         {"<?xml", "an XML document"},
         {"<!DOCTYPE", "a web page"},
+        {"<!doctype", "a web page"},
         {"<html", "a web page"},
         {"<HTML", "a web page"},
     };
     const std::string_view text = bytes.substr(std::min(byte_order_mark(bytes), bytes.size()));
     for (const Familiar& f : familiar)
         if (text.starts_with(f.start)) return f.what;
+    if (bytes.size() > 512 && bytes.substr(257, 5) == "ustar") return "a tar archive";
     return {};
 }
 
@@ -183,7 +201,7 @@ NumberForm read_number(std::string_view token, double& value, char decimal_mark)
     for (; i < token.size(); ++i) {
         char c = token[i];
         if (c == ',') {
-            if (has_comma) return NumberForm::invalid;
+            if (has_comma || i + 1 == token.size()) return NumberForm::invalid; // it parts numbers
             has_comma = true;
             c = '.';
         } else if (c == '.') {

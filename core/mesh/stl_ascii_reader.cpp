@@ -117,6 +117,7 @@ private:
 
     /// Behind an endsolid: another solid, or bytes that belong to nothing.
     void statement_outside(std::string_view token) {
+        token.remove_prefix(byte_order_mark(token)); // of a file that was put behind another
         if (same_word(token, "solid") && (!junk_ || solid_follows())) {
             found_.unknown_lines = found_.unknown_lines || junk_;
             junk_ = false;

@@ -22,6 +22,23 @@
 
 namespace facetmill::detail {
 
+namespace {
+
+/// Of a facet's longest edge and cross product, and of how far it reaches: more than what rounding to float
+/// makes.
+bool has_area(double cross, double edge, double reach) {
+    return cross > tolerance::float_noise * reach * edge;
+}
+
+double reach_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+}
+double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::max({(b - a).norm(), (c - a).norm(), (c - b).norm()});
+}
+
+} // namespace
+
 NormalState compare_normal(const Vec3& stored, const Vec3& a, const Vec3& b, const Vec3& c) {
     if (!stored.allFinite()) return NormalState::unusable;
     const double length = stored.norm();
@@ -30,10 +47,7 @@ NormalState compare_normal(const Vec3& stored, const Vec3& a, const Vec3& b, con
     const Vec3 u = b - a, v = c - a;
     const Vec3 winding = u.cross(v);
     const double area = winding.norm();
-    const double reach =
-        std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-    const double edge = std::max({u.norm(), v.norm(), (c - b).norm()});
-    if (area <= tolerance::float_noise * reach * edge) return NormalState::agrees;
+    if (!has_area(area, longest_edge(a, b, c), reach_of(a, b, c))) return NormalState::agrees;
     const double cosine = stored.dot(winding) / (length * area);
     return cosine < 0.0 ? NormalState::opposes : cosine > 0.7 ? NormalState::agrees : NormalState::oblique;
 }
@@ -56,6 +70,7 @@ std::uint64_t reversed_count(std::uint64_t count) {
 struct RecordScan {
     bool attributes = false, bad_normals = false, normals_disagree = false;
     std::size_t plausible = 0; ///< usable corners and a stored normal along the winding or zero
+    std::size_t certain = 0;   ///< and that normal is not zero, and the facet has an area
     std::size_t non_finite = std::size_t(-1); ///< first facet with a corner that is not a number
     std::size_t out_of_range = std::size_t(-1);
 };
@@ -73,8 +88,7 @@ RecordScan scan_records(const TriangleSoup& soup, double limit, const Progress& 
                     scan.non_finite = std::min(scan.non_finite, f);
                     continue;
                 }
-                const double largest =
-                    std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+                const double largest = reach_of(a, b, c);
                 if (largest > limit) {
                     scan.out_of_range = std::min(scan.out_of_range, f);
                     continue;
@@ -84,9 +98,16 @@ RecordScan scan_records(const TriangleSoup& soup, double limit, const Progress& 
                 scan.normals_disagree = scan.normals_disagree || normal == NormalState::opposes;
                 // Normals turned inside out as a whole are a known fault of writers; noise is not parallel to
                 // anything.
-                scan.plausible += normal != NormalState::oblique
-                                  && (normal != NormalState::opposes
-                                      || compare_normal(-record.normal(), a, b, c) == NormalState::agrees);
+                const bool along = normal == NormalState::agrees
+                                   || (normal == NormalState::opposes
+                                       && compare_normal(-record.normal(), a, b, c) == NormalState::agrees);
+                const double length = record.normal().norm();
+                const bool flat = !has_area((b - a).cross(c - a).norm(), longest_edge(a, b, c), largest);
+                // Bytes of something else are often nearly zero: then the normal's length is the only sign.
+                scan.plausible +=
+                    flat ? std::abs(length - 1) < 0.01
+                         : along || normal == NormalState::zero || normal == NormalState::unusable;
+                scan.certain += along && !flat;
             }
             return scan;
         },
@@ -95,6 +116,7 @@ RecordScan scan_records(const TriangleSoup& soup, double limit, const Progress& 
             total.bad_normals = total.bad_normals || part.bad_normals;
             total.normals_disagree = total.normals_disagree || part.normals_disagree;
             total.plausible += part.plausible;
+            total.certain += part.certain;
             total.non_finite = std::min(total.non_finite, part.non_finite);
             total.out_of_range = std::min(total.out_of_range, part.out_of_range);
             return total;
@@ -136,6 +158,31 @@ bool was_sent_as_text(std::string_view bytes, const Progress& progress) {
            && bytes.size() - pairs == header_size + StlRecord::size * announced_count(start);
 }
 
+/// A program has taken the bytes for text and written them as UTF-8: those beyond ASCII are sequences of it
+/// now, which those of numbers hardly ever are.
+bool was_written_as_utf8(std::string_view bytes, const Progress& progress) {
+    constexpr std::size_t enough = 16;
+    std::size_t sequences = 0;
+    for (std::size_t i = 0; i < bytes.size();) {
+        if ((i & 0xFFFF) == 0) progress.check();
+        const auto lead = static_cast<unsigned char>(bytes[i++]);
+        if (lead < 0x80) continue;
+        if (lead < 0xC2 || lead > 0xF4) return false;
+        const std::size_t further = lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+        for (std::size_t k = 0; k < further; ++k, ++i)
+            if (i == bytes.size() || (static_cast<unsigned char>(bytes[i]) & 0xC0) != 0x80) return false;
+        ++sequences;
+    }
+    return sequences >= enough;
+}
+
+/// Bytes behind the last facet are an STL file themselves.
+bool is_another_stl(std::string_view bytes) {
+    if (starts_with_solid(bytes) && is_text(bytes)) return true;
+    return bytes.size() > header_size
+           && bytes.size() == header_size + StlRecord::size * announced_count(bytes);
+}
+
 /// Text without any zero byte: a cut binary file has some in its count.
 bool is_plain_text(std::string_view bytes) {
     return bytes.find('\0') == std::string_view::npos && is_text(bytes);
@@ -144,6 +191,46 @@ bool is_plain_text(std::string_view bytes) {
 [[noreturn]] void refuse_foreign(const MeshSource& source, std::string_view what) {
     throw Error(ErrorCode::not_stl, source.name, "is not an STL file but " + std::string(what),
                 "open the mesh itself, under a name that ends as its format does");
+}
+
+/// Refuses a file whose size is not the one that its count asks for, where the cause is known.
+void refuse_changed(const MeshSource& source, std::uint64_t count, std::uint64_t whole,
+                    const Progress& progress) {
+    const std::string_view bytes = source.bytes;
+    if (const auto what = content_of(bytes, "STL"); !what.empty()) refuse_foreign(source, what);
+    if (is_plain_text(bytes)) refuse_foreign(source, "a text that does not start with 'solid'");
+    if (was_sent_as_text(bytes, progress))
+        throw Error(ErrorCode::syntax, source.name,
+                    "a transfer as text has changed the binary file: there is a CR before every LF",
+                    "copy it again as binary (FTP: type binary; Git: mark *.stl as binary)");
+    if (was_written_as_utf8(bytes, progress))
+        throw Error(ErrorCode::syntax, source.name,
+                    "a program has taken the binary file for text and written it as UTF-8",
+                    "export it again, and copy it as binary");
+    if (count > 0 && count <= whole && is_another_stl(bytes.substr(header_size + count * StlRecord::size)))
+        throw Error(ErrorCode::count_mismatch, source.name, "another STL file follows the first in it",
+                    "open them one by one, or join them in the program that made them");
+}
+
+/// Refuses facets of another length than 50 bytes: a writer that pads its records, or leaves attributes out.
+void refuse_other_records(const MeshSource& source, const TriangleSoup& soup, std::uint64_t count,
+                          const Progress& progress) {
+    constexpr std::uint64_t without_attribute = 48, longest = 256;
+    const std::uint64_t size = source.bytes.size() - header_size;
+    if (count == 0 || size % count != 0) return;
+    const std::uint64_t length = size / count;
+    if (length != without_attribute && (length <= StlRecord::size || length > longest)) return;
+    TriangleSoup usual = soup, other = soup;
+    usual.record_count = std::min(count, size / StlRecord::size);
+    other.record_count = count - (length < StlRecord::size); // the last one would be read beyond its end
+    for (std::uint64_t i = 0; i < other.record_count; ++i)
+        other.record_offsets.push_back(i * length);
+    if (scan_records(other, source.coordinate_limit, progress.part(0, 0)).certain
+        <= scan_records(usual, source.coordinate_limit, progress.part(0, 0)).certain)
+        return;
+    throw Error(ErrorCode::count_mismatch, source.name,
+                "each facet has " + std::to_string(length) + " bytes, those of a binary STL file have 50",
+                "the program that wrote it is wrong: export the part by another one");
 }
 
 TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress) {
@@ -179,21 +266,17 @@ TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress)
         soup.big_endian = true;
         soup.warnings.insert("big_endian");
     } else {
-        const auto what = content_of(bytes, "STL");
-        if (!what.empty()) refuse_foreign(source, what);
-        if (is_plain_text(bytes)) refuse_foreign(source, "a text that does not start with 'solid'");
-        if (was_sent_as_text(bytes, progress))
-            throw Error(ErrorCode::syntax, source.name,
-                        "a transfer as text has changed the binary file: there is a CR before every LF",
-                        "copy it again as binary (FTP: type binary; Git: mark *.stl as binary)");
+        refuse_changed(source, count, whole, progress);
         if (count < whole || (count == whole && ragged))
             soup.record_offsets = walk_payloads(body, count, progress);
+        if (soup.record_offsets.empty()) refuse_other_records(source, soup, count, progress);
         if (!soup.record_offsets.empty()) {
             soup.record_count = count;
             soup.warnings.insert("attribute_payload");
         } else if (!ragged && (count == 0xFFFFFFFFu || count < whole) && whole > 0) {
             soup.record_count = whole;
             soup.warnings.insert("count_wrong");
+            check_sanity = true;
         } else if (count > whole) {
             throw Error(ErrorCode::truncated, source.name, says, "the file was cut: copy or export it again");
         } else {
@@ -205,7 +288,8 @@ TriangleSoup read_binary_stl(const MeshSource& source, const Progress& progress)
     const RecordScan scan = scan_records(soup, source.coordinate_limit, progress.part(0.05, 1.0));
     if (check_sanity && 2 * scan.plausible <= soup.record_count)
         throw Error(ErrorCode::count_mismatch, source.name,
-                    says + " and a rest, and they do not look like facets",
+                    ragged ? says + " and a rest, and they do not look like facets"
+                           : says + ", and they do not look like facets",
                     "the file is damaged or is not STL: export it again");
     if (soup.record_count == 0)
         throw Error(ErrorCode::no_facets, source.name, "the file holds no facet", "export the part again");

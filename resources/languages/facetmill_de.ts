@@ -2556,6 +2556,18 @@
         <translation>ein BMP-Bild</translation>
     </message>
     <message>
+        <source>a Blender file</source>
+        <translation>eine Blender-Datei</translation>
+    </message>
+    <message>
+        <source>a DXF file</source>
+        <translation>eine DXF-Datei</translation>
+    </message>
+    <message>
+        <source>a Draco file</source>
+        <translation>eine Draco-Datei</translation>
+    </message>
+    <message>
         <source>a GIF picture</source>
         <translation>ein GIF-Bild</translation>
     </message>
@@ -2580,6 +2592,10 @@
         <translation>ein PNG-Bild</translation>
     </message>
     <message>
+        <source>a Parasolid file</source>
+        <translation>eine Parasolid-Datei</translation>
+    </message>
+    <message>
         <source>a RAR archive</source>
         <translation>ein RAR-Archiv</translation>
     </message>
@@ -2602,6 +2618,10 @@
     <message>
         <source>a ZIP archive (perhaps 3MF)</source>
         <translation>ein ZIP-Archiv (vielleicht 3MF)</translation>
+    </message>
+    <message>
+        <source>a Zstandard archive</source>
+        <translation>ein Zstandard-Archiv</translation>
     </message>
     <message>
         <source>a bracket is not closed</source>
@@ -2776,6 +2796,14 @@
         <translation>eine Bahn geht bei {2} um {1} in das Aufmaß</translation>
     </message>
     <message>
+        <source>a pointer of Git LFS to a file that was not fetched</source>
+        <translation>ein Verweis von Git LFS auf eine Datei, die nicht geholt wurde</translation>
+    </message>
+    <message>
+        <source>a program has taken the binary file for text and written it as UTF-8</source>
+        <translation>ein Programm hat die binäre Datei für Text gehalten und als UTF-8 geschrieben</translation>
+    </message>
+    <message>
         <source>a project cannot be the {1} of a project</source>
         <translation>ein Projekt kann nicht Datei eines Projekts sein: {1}</translation>
     </message>
@@ -2838,6 +2866,10 @@
     <message>
         <source>a table tells no shape and no lengths: taken for a flat end with usual flutes and shank</source>
         <translation>eine Tabelle nennt weder Form noch Längen: gilt als flach mit üblichen Schneiden und Schaft</translation>
+    </message>
+    <message>
+        <source>a tar archive</source>
+        <translation>ein tar-Archiv</translation>
     </message>
     <message>
         <source>a text that does not start with 'solid'</source>
@@ -3008,6 +3040,10 @@
         <translation>entlang der Werkzeugachse</translation>
     </message>
     <message>
+        <source>an AppleDouble file, which macOS puts beside the mesh</source>
+        <translation>eine AppleDouble-Datei, die macOS neben das Netz legt</translation>
+    </message>
+    <message>
         <source>an IGES file</source>
         <translation>eine IGES-Datei</translation>
     </message>
@@ -3036,6 +3072,10 @@
         <translation>ein XML-Dokument</translation>
     </message>
     <message>
+        <source>an empty ZIP archive</source>
+        <translation>ein leeres ZIP-Archiv</translation>
+    </message>
+    <message>
         <source>an entry has no name or no size</source>
         <translation>ein Eintrag hat keinen Namen oder keine Größe</translation>
     </message>
@@ -3062,6 +3102,10 @@
     <message>
         <source>an xz archive</source>
         <translation>ein xz-Archiv</translation>
+    </message>
+    <message>
+        <source>another STL file follows the first in it</source>
+        <translation>in ihr folgt auf die erste STL-Datei eine weitere</translation>
     </message>
     <message>
         <source>another {1} is called '{2}'</source>
@@ -3564,6 +3608,10 @@
         <translation>Zylinder</translation>
     </message>
     <message>
+        <source>data compressed by zlib</source>
+        <translation>mit zlib gepackte Daten</translation>
+    </message>
+    <message>
         <source>decimate</source>
         <translation>Ausdünnen</translation>
     </message>
@@ -3594,6 +3642,10 @@
     <message>
         <source>each</source>
         <translation>je eines</translation>
+    </message>
+    <message>
+        <source>each facet has {1} bytes, those of a binary STL file have 50</source>
+        <translation>jede Facette hat {1} Bytes, die einer binären STL-Datei haben 50</translation>
     </message>
     <message>
         <source>edited region</source>
@@ -3678,6 +3730,10 @@
     <message>
         <source>expected {1}</source>
         <translation>erwartet: {1}</translation>
+    </message>
+    <message>
+        <source>export it again, and copy it as binary</source>
+        <translation>exportieren Sie sie neu, und kopieren Sie sie binär</translation>
     </message>
     <message>
         <source>export it again, without compression</source>
@@ -5096,6 +5152,10 @@
         <translation>das Netz selbst öffnen, unter einem Namen, der wie sein Format endet</translation>
     </message>
     <message>
+        <source>open them one by one, or join them in the program that made them</source>
+        <translation>öffnen Sie sie einzeln, oder verbinden Sie sie in dem Programm, das sie gemacht hat</translation>
+    </message>
+    <message>
         <source>operation '{1}'</source>
         <translation>Operation '{1}'</translation>
     </message>
@@ -6254,6 +6314,10 @@
     <message>
         <source>the program that reads such files, {1}, is not here</source>
         <translation>das Programm, das solche Dateien liest, {1}, ist nicht da</translation>
+    </message>
+    <message>
+        <source>the program that wrote it is wrong: export the part by another one</source>
+        <translation>das Programm, das sie geschrieben hat, macht es falsch: exportieren Sie das Teil mit einem anderen</translation>
     </message>
     <message>
         <source>the project has no operations</source>
@@ -7502,6 +7566,10 @@
     <message>
         <source>{1} × {2} pixels</source>
         <translation>{1} × {2} Pixel</translation>
+    </message>
+    <message>
+        <source>{1}, and they do not look like facets</source>
+        <translation>{1}, und sie sehen nicht wie Facetten aus</translation>
     </message>
     <message>
         <source>{1}, facet {2}</source>

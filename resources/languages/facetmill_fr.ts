@@ -2556,6 +2556,18 @@
         <translation>une image BMP</translation>
     </message>
     <message>
+        <source>a Blender file</source>
+        <translation>un fichier Blender</translation>
+    </message>
+    <message>
+        <source>a DXF file</source>
+        <translation>un fichier DXF</translation>
+    </message>
+    <message>
+        <source>a Draco file</source>
+        <translation>un fichier Draco</translation>
+    </message>
+    <message>
         <source>a GIF picture</source>
         <translation>une image GIF</translation>
     </message>
@@ -2580,6 +2592,10 @@
         <translation>une image PNG</translation>
     </message>
     <message>
+        <source>a Parasolid file</source>
+        <translation>un fichier Parasolid</translation>
+    </message>
+    <message>
         <source>a RAR archive</source>
         <translation>une archive RAR</translation>
     </message>
@@ -2602,6 +2618,10 @@
     <message>
         <source>a ZIP archive (perhaps 3MF)</source>
         <translation>une archive ZIP (peut-être 3MF)</translation>
+    </message>
+    <message>
+        <source>a Zstandard archive</source>
+        <translation>une archive Zstandard</translation>
     </message>
     <message>
         <source>a bracket is not closed</source>
@@ -2776,6 +2796,14 @@
         <translation>une passe entre de {1} dans la surépaisseur à {2}</translation>
     </message>
     <message>
+        <source>a pointer of Git LFS to a file that was not fetched</source>
+        <translation>un pointeur de Git LFS vers un fichier qui n’a pas été récupéré</translation>
+    </message>
+    <message>
+        <source>a program has taken the binary file for text and written it as UTF-8</source>
+        <translation>un programme a pris le fichier binaire pour du texte et l’a écrit en UTF-8</translation>
+    </message>
+    <message>
         <source>a project cannot be the {1} of a project</source>
         <translation>un projet ne peut être le fichier d'un projet : {1}</translation>
     </message>
@@ -2838,6 +2866,10 @@
     <message>
         <source>a table tells no shape and no lengths: taken for a flat end with usual flutes and shank</source>
         <translation>une table ne dit ni forme ni longueurs : pris pour une fraise plate aux longueurs usuelles</translation>
+    </message>
+    <message>
+        <source>a tar archive</source>
+        <translation>une archive tar</translation>
     </message>
     <message>
         <source>a text that does not start with 'solid'</source>
@@ -3008,6 +3040,10 @@
         <translation>le long de l'axe d'outil</translation>
     </message>
     <message>
+        <source>an AppleDouble file, which macOS puts beside the mesh</source>
+        <translation>un fichier AppleDouble, que macOS pose à côté du maillage</translation>
+    </message>
+    <message>
         <source>an IGES file</source>
         <translation>un fichier IGES</translation>
     </message>
@@ -3036,6 +3072,10 @@
         <translation>un document XML</translation>
     </message>
     <message>
+        <source>an empty ZIP archive</source>
+        <translation>une archive ZIP vide</translation>
+    </message>
+    <message>
         <source>an entry has no name or no size</source>
         <translation>une entrée n'a pas de nom ou de taille</translation>
     </message>
@@ -3062,6 +3102,10 @@
     <message>
         <source>an xz archive</source>
         <translation>une archive xz</translation>
+    </message>
+    <message>
+        <source>another STL file follows the first in it</source>
+        <translation>un autre fichier STL y suit le premier</translation>
     </message>
     <message>
         <source>another {1} is called '{2}'</source>
@@ -3564,6 +3608,10 @@
         <translation>cylindre</translation>
     </message>
     <message>
+        <source>data compressed by zlib</source>
+        <translation>des données compressées par zlib</translation>
+    </message>
+    <message>
         <source>decimate</source>
         <translation>décimer</translation>
     </message>
@@ -3594,6 +3642,10 @@
     <message>
         <source>each</source>
         <translation>chacun</translation>
+    </message>
+    <message>
+        <source>each facet has {1} bytes, those of a binary STL file have 50</source>
+        <translation>chaque facette a {1} octets, celles d’un fichier STL binaire en ont 50</translation>
     </message>
     <message>
         <source>edited region</source>
@@ -3678,6 +3730,10 @@
     <message>
         <source>expected {1}</source>
         <translation>attendu : {1}</translation>
+    </message>
+    <message>
+        <source>export it again, and copy it as binary</source>
+        <translation>exportez-le de nouveau et copiez-le en binaire</translation>
     </message>
     <message>
         <source>export it again, without compression</source>
@@ -5096,6 +5152,10 @@
         <translation>ouvrir le maillage lui-même, sous un nom qui finit comme son format</translation>
     </message>
     <message>
+        <source>open them one by one, or join them in the program that made them</source>
+        <translation>ouvrez-les un par un, ou réunissez-les dans le programme qui les a faits</translation>
+    </message>
+    <message>
         <source>operation '{1}'</source>
         <translation>opération '{1}'</translation>
     </message>
@@ -6254,6 +6314,10 @@
     <message>
         <source>the program that reads such files, {1}, is not here</source>
         <translation>le programme qui lit ces fichiers, {1}, n'est pas là</translation>
+    </message>
+    <message>
+        <source>the program that wrote it is wrong: export the part by another one</source>
+        <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
     </message>
     <message>
         <source>the project has no operations</source>
@@ -7502,6 +7566,10 @@
     <message>
         <source>{1} × {2} pixels</source>
         <translation>{1} × {2} pixels</translation>
+    </message>
+    <message>
+        <source>{1}, and they do not look like facets</source>
+        <translation>{1}, et ils ne ressemblent pas à des facettes</translation>
     </message>
     <message>
         <source>{1}, facet {2}</source>

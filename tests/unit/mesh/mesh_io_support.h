@@ -5,6 +5,7 @@
 #include "core/mesh/mesh_io.h"
 
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,31 @@ inline std::string outcome(const std::string& bytes, const std::string& name,
     } catch (const Error& e) {
         return std::string(code_name(e.code()));
     }
+}
+
+/// With the occurrence `which` of a text, counted from 0, replaced; it must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to, int which = 0) {
+    std::size_t at = text.find(from);
+    for (; which > 0 && at != std::string::npos; --which)
+        at = text.find(from, at + 1);
+    if (at == std::string::npos) throw std::logic_error("the text to replace is not there: " + from);
+    return text.replace(at, from.size(), to);
+}
+
+inline std::string replaced_all(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// What the error of the reading says.
+inline std::string error_line(const std::string& bytes, const std::string& name) {
+    try {
+        read(bytes, name);
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "no error";
 }
 
 inline bool same_mesh(const Mesh& a, const Mesh& b) {

@@ -28,29 +28,6 @@ const Mesh& box() {
     return mesh;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to, int which = 0) {
-    std::size_t at = text.find(from);
-    for (; which > 0 && at != std::string::npos; --which)
-        at = text.find(from, at + 1);
-    if (at == std::string::npos) qFatal("the text to replace is not there");
-    return text.replace(at, from.size(), to);
-}
-
-std::string replaced_all(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
-
-std::string error_line(const std::string& bytes, const std::string& name) {
-    try {
-        read(bytes, name);
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "no error";
-}
-
 /// The same triangles in the same order, whatever the numbering of the vertices.
 bool same_triangles(const Mesh& a, const Mesh& b, double tolerance = 0.0) {
     if (a.facets.size() != b.facets.size()) return false;

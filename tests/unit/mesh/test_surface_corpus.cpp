@@ -21,12 +21,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) qFatal("the test's text is not in the file: %s", from.c_str());
-    return text.replace(at, from.size(), to);
-}
-
 /// The entities of the data section, each with its semicolon.
 std::vector<std::string> entities_of(const std::string& step) {
     const std::size_t begin = step.find("DATA;") + 5, end = step.find("ENDSEC;", begin);
