@@ -19,6 +19,7 @@ Command report_command();
 Command pack_command();
 Command unpack_command();
 Command template_command();
+Command study_command();
 Command tools_command();
 Command reference_command();
 

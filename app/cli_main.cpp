@@ -18,10 +18,10 @@ namespace facetmill::cli {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
-        info_command(),   sample_command(),   place_command(),  repair_command(),
-        plan_command(),   simulate_command(), cspace_command(), drop_command(),
-        render_command(), report_command(),   export_command(), pack_command(),
-        unpack_command(), template_command(), tools_command(),  reference_command()};
+        info_command(),     sample_command(),   place_command(),  repair_command(),   plan_command(),
+        simulate_command(), cspace_command(),   drop_command(),   render_command(),   report_command(),
+        export_command(),   pack_command(),     unpack_command(), template_command(), study_command(),
+        tools_command(),    reference_command()};
     return all;
 }
 

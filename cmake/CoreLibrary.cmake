@@ -37,7 +37,7 @@ endfunction()
 
 # Shared, so that operations that only register themselves are in it.
 add_library(facetmill_core SHARED)
-facetmill_link_core(facetmill_core job)
+facetmill_link_core(facetmill_core study)
 target_link_libraries(facetmill_core PUBLIC Eigen3::Eigen)
 target_compile_features(facetmill_core PUBLIC cxx_std_20)
 target_include_directories(facetmill_core INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/facetmill>

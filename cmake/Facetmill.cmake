@@ -57,7 +57,7 @@ target_link_options(facetmill_options INTERFACE
 set(FACETMILL_ROOMS base mesh repair cutter setup tools gouge cspace
     strategy/plan strategy/surface strategy/finish3 strategy/rough strategy/five_axis strategy/global_local
     strategy/cleanup strategy/lathe
-    link verify output job)
+    link verify output job study)
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
 # dropped from a static one. With FACETMILL_SHARED_ROOMS each is a shared library, and a change in it links it alone again

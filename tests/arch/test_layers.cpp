@@ -32,6 +32,7 @@ const std::vector<std::string> order = {"core/base",
                                         "core/verify",
                                         "core/output",
                                         "core/job",
+                                        "core/study",
                                         "viz",
                                         "ui",
                                         "app"};

@@ -1,0 +1,176 @@
+// facetmill-cli study: which settings of a project serve best, each of them planned and verified.
+#include "app/cli_commands.h"
+#include "app/cli_project.h"
+#include "app/cli_session.h"
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/study/local_workers.h"
+#include "core/study/study_results.h"
+#include "core/study/study_run.h"
+#include "facetmill_version.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+
+#include <csignal>
+#include <sys/prctl.h>
+
+namespace facetmill::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string study_program() {
+    return program_identity("facetmill-cli " FACETMILL_VERSION);
+}
+
+std::size_t count_of(const Arguments& arguments, const char* option, std::size_t fallback) {
+    constexpr double most = 4096;
+    const double n = arguments.number(option, double(fallback));
+    if (n != std::floor(n) || n < 1 || n > most)
+        throw Error(ErrorCode::usage, option, "'" + printable(arguments.value(option)) + "' is no such count",
+                    "write a whole number from 1");
+    return std::size_t(n);
+}
+
+/// Processes of this program on this machine, or on one that sees the folder and has this program.
+StudyWorkers study_workers(const StudyFolder& folder, const Arguments& arguments) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    StudyWorkers workers;
+    workers.count = count_of(arguments, "--workers", cores);
+    const std::size_t threads =
+        count_of(arguments, "--threads", std::max<std::size_t>(1, cores / workers.count));
+    workers.program = fs::read_symlink("/proc/self/exe");
+    const std::string place = fs::absolute(folder.path()).string();
+    workers.arguments = [=](const StudyWork& w) {
+        return std::vector<std::string>{"study",
+                                        "work",
+                                        place,
+                                        "--candidate",
+                                        w.key,
+                                        "--rung",
+                                        std::string(rung_name(w.rung)),
+                                        "--threads",
+                                        std::to_string(threads),
+                                        "--ends-with-parent"};
+    };
+    return workers;
+}
+
+void carry_out(const StudyFolder& folder, const Arguments& arguments, Session& session) {
+    const std::string on = arguments.value("--on", "local");
+    if (on != "local")
+        throw Error(ErrorCode::usage, "--on", "'" + printable(on) + "' is no place to work", "give local");
+    const StudyOutcome outcome =
+        run_study(folder, work_by_processes(study_workers(folder, arguments)), session.progress());
+    write_study(folder, outcome, [&] { session.print(study_summary(folder, outcome)); });
+    if (!outcome.lost.empty())
+        session.say(std::to_string(outcome.lost.size()) + " candidates were lost ("
+                    + outcome.lost.begin()->second + "): study resume asks for them again");
+    check_winner(folder, outcome);
+}
+
+void run_begin(const Arguments& arguments, Session& session) {
+    const fs::path file = arguments.operand(1);
+    const fs::path folder = arguments.has("-o") ? fs::path(arguments.value("-o")) : usual_study_folder(file);
+    check_folder(folder);
+    carry_out(StudyFolder::make(folder, file, study_program()), arguments, session);
+}
+
+void run_resume(const Arguments& arguments, Session& session) {
+    carry_out(StudyFolder(arguments.operand(1), study_program()), arguments, session);
+}
+
+void run_show(const Arguments& arguments, Session& session) {
+    const StudyFolder folder(arguments.operand(1), study_program());
+    const StudyOutcome outcome = look_at_study(folder, {}, session.progress());
+    session.print(study_json(folder, outcome));
+}
+
+void run_adopt(const Arguments& arguments, Session& session) {
+    const StudyFolder folder(arguments.operand(1), study_program());
+    if (!arguments.has("-o"))
+        throw Error(ErrorCode::usage, "-o", "is missing", "name the project's file to write");
+    const StudyOutcome outcome = look_at_study(folder, {}, session.progress());
+    std::size_t number = 0;
+    if (arguments.has("--candidate")) {
+        constexpr double most = 1e9;
+        const double n = arguments.number("--candidate", 0);
+        if (n != std::floor(n) || n < 0 || n > most)
+            throw Error(ErrorCode::usage, "--candidate", "is no number of a candidate", "see table.md");
+        number = std::size_t(n);
+    } else {
+        if (!outcome.decision.missing.empty())
+            throw Error(ErrorCode::missing_reference, printable(folder.path().string(), 400),
+                        "the study is not at its end: there is no winner yet",
+                        "run study resume, or name a --candidate");
+        check_winner(folder, outcome);
+        number = *outcome.decision.winner;
+    }
+    adopt_candidate(outcome, number, arguments.value("-o"));
+    session.print(pretty_json(Json{{"file", printable(arguments.value("-o"), 400)},
+                                   {"candidate", number},
+                                   {"choice", candidate_text(folder.study(), outcome.candidates[number])}}));
+}
+
+/// One look at one candidate, for a run that reads what is printed where it fails.
+void run_work(const Arguments& arguments, Session& session) {
+    if (arguments.has("--ends-with-parent")) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    use_threads(arguments);
+    try {
+        const StudyFolder folder(arguments.operand(1), study_program());
+        work_on(folder, arguments.value("--candidate"),
+                rung_named(arguments.value("--rung", "fine"), "--rung"), session.progress());
+    } catch (const Error& e) {
+        session.print(worker_error_line(e));
+        throw;
+    }
+}
+
+void run_study_command(const Arguments& arguments, Session& session) {
+    const std::string& what = arguments.operand(0);
+    if (what == "run") return run_begin(arguments, session);
+    if (what == "resume") return run_resume(arguments, session);
+    if (what == "show") return run_show(arguments, session);
+    if (what == "adopt") return run_adopt(arguments, session);
+    if (what == "work") return run_work(arguments, session);
+    throw Error(ErrorCode::usage, "study", "'" + printable(what) + "' is nothing that is done with a study",
+                "give run and a study, or resume, show, adopt or work and its folder");
+}
+
+} // namespace
+
+Command study_command() {
+    return {
+        .name = "study",
+        .operands = {"run|resume|show|adopt|work", "STUDY|FOLDER"},
+        .summary = "Plans and verifies candidates of a project's settings, and finds the best of them.",
+        .help =
+            "run STUDY works on a study (a JSON file: core/study/README.md) in a folder: NAME.study beside "
+            "it,\n"
+            "or -o. resume FOLDER goes on after whatever ended that; what was found is found. show FOLDER\n"
+            "prints what is known so far. adopt FOLDER -o PROJECT writes the project of the winner, or of\n"
+            "--candidate. work FOLDER --candidate KEY --rung R looks at one candidate: what run starts.\n"
+            "The folder gets study.json, table.md and table.csv; the winner, the front and the project as "
+            "it\n"
+            "stands are printed. Exit status 1 where no candidate meets the limits: the nearest is named.",
+        .options =
+            {{.name = "-o",
+              .value = "PLACE",
+              .help = "run: the folder to work in; adopt: the project's file to write"},
+             {.name = "--on", .value = "WHERE", .help = "run, resume: local (the default)"},
+             {.name = "--workers",
+              .value = "N",
+              .help = "run, resume: processes at once; results do not depend on it (default: all cores)"},
+             {.name = "--candidate", .value = "K", .help = "adopt: its number in table.md; work: its key"},
+             {.name = "--rung", .value = "R", .help = "work: estimate, coarse or fine (default)"},
+             {.name = "--ends-with-parent", .help = "work: ends when the process that began it ends"},
+             threads_option()},
+        .run = run_study_command};
+}
+
+} // namespace facetmill::cli

@@ -1,0 +1,174 @@
+#include "core/study/evaluation.h"
+
+#include "core/job/cache_key.h"
+#include "core/job/chain_verification.h"
+#include "core/job/project_inputs.h"
+#include "core/job/setup_plan.h"
+#include "core/job/verification.h"
+#include "core/job/work_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Of a coarse look, in radii of the narrowest cutter: a third to a quarter of the time of a fine one, which
+/// has a twentieth. What it finds is so; what it does not find may be there.
+constexpr double coarse_resolution = 0.125, coarse_spacing = 0.2;
+
+std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view, const std::string& only,
+                                            const Progress& progress) {
+    check_inputs(view);
+    check_project(view);
+    const auto part = planner.prepare(view, progress.part(0, 0.05));
+    for (const WorkEstimate& estimate : estimate_plan(view, *part, only))
+        if (estimate.large())
+            throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
+                        "choose a larger tolerance or step-over");
+    auto plan = planner.plan(view, only, progress.part(0.05, 1));
+    plan->check_programs();
+    return plan;
+}
+
+/// Says nothing of the candidate: another time, or on another machine, it may come out otherwise.
+bool outer_error(ErrorCode code) {
+    switch (code) {
+    case ErrorCode::not_found:
+    case ErrorCode::is_directory:
+    case ErrorCode::unreadable:
+    case ErrorCode::unwritable:
+    case ErrorCode::internal:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void measure_plan(const std::vector<SetupPlan>& setups, RungResult& result) {
+    double time = 0, cut = 0, rapid = 0, cusp = 0;
+    double changes = 0;
+    for (const SetupPlan& setup : setups) {
+        const double per = mm_per(setup.project.unit);
+        const double leaves = verify_settings(setup.project, setup.plan.get()).allowance;
+        long in_spindle = -1;
+        for (const auto& o : setup.plan->operations) {
+            time += o->totals.time_seconds;
+            cut += o->totals.cut_length / per;
+            rapid += o->totals.rapid_length / per;
+            if (o->program.tool_number != in_spindle) ++changes;
+            in_spindle = o->program.tool_number;
+        }
+        for (const Operation* o : operations_on(setup.project)) {
+            if (o->left_on_purpose() > leaves) continue;
+            for (const auto& planned : setup.plan->operations)
+                if (planned->name == o->common().name) cusp = std::max(cusp, planned->path.cusp_max / per);
+        }
+    }
+    Measures& m = result.measures;
+    m[Measure::machining_time] = time;
+    m[Measure::cut_length] = cut;
+    m[Measure::rapid_length] = rapid;
+    m[Measure::tool_changes] = changes;
+    m[Measure::cusp_max] = cusp;
+}
+
+/// What the project as it stands asks of the same setups.
+VerifySettings base_settings(const Project& base, std::span<const SetupPlan> chain) {
+    std::vector<SetupPlan> asked;
+    for (const SetupPlan& setup : chain) {
+        const std::size_t i = std::min(chosen_setup(setup.project), setup_count(base) - 1);
+        asked.push_back({view_of_setup(base, i), nullptr, true});
+    }
+    VerifySettings settings = chain_settings(chain);
+    const VerifySettings own = chain_settings(asked);
+    settings.tolerance = own.tolerance;
+    settings.allowance = own.allowance;
+    settings.gouge_limit = own.gouge_limit;
+    settings.uncut_limit = own.uncut_limit;
+    settings.before_work = [](const VerifyWork& work) {
+        const WorkEstimate estimate = estimate_of(work);
+        if (estimate.large())
+            throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
+                        "let coarser settings vary");
+    };
+    return settings;
+}
+
+double narrowest_radius(std::span<const std::vector<VerifyProgram>> programs) {
+    double radius = infinity;
+    for (const std::vector<VerifyProgram>& setup : programs)
+        for (const VerifyProgram& program : setup)
+            radius = std::min(radius, program.tool.cutter.max_radius());
+    return radius;
+}
+
+void raise(std::optional<double>& value, double to) {
+    value = std::max(value.value_or(0), to);
+}
+
+void measure_judged(const JudgedChain& judged, RungResult& result) {
+    const Verification& v = *judged.result;
+    const double per = mm_per(judged.setups.front().project.unit);
+    Measures& m = result.measures;
+    raise(m[Measure::gouge_max], std::max(v.figures.gouge_max, v.border.gouge_max) / per);
+    raise(m[Measure::excess_max], v.figures.excess_max / per);
+    raise(m[Measure::excess_p99], v.figures.excess_p99 / per);
+    raise(m[Measure::excess_p95], v.figures.excess_p95 / per);
+    raise(m[Measure::uncut_share], v.uncut_share);
+}
+
+void judge(const std::vector<SetupPlan>& setups, const Project& base, Rung rung, RungResult& result,
+           const Progress& progress) {
+    const std::vector<std::span<const SetupPlan>> chains = stock_chains(setups);
+    std::vector<JudgedChain> judged;
+    for (const std::span<const SetupPlan> chain : chains) {
+        const std::vector<std::vector<VerifyProgram>> programs = planned_programs(chain);
+        VerifySettings settings = base_settings(base, chain);
+        if (rung == Rung::coarse) {
+            const double radius = narrowest_radius(programs);
+            settings.resolution = coarse_resolution * radius;
+            settings.sample_spacing = coarse_spacing * radius;
+        }
+        const double n = double(chains.size()), at = double(judged.size());
+        judged.push_back(judge_chain(chain, programs, settings, progress.part(at / n, (at + 1) / n)));
+        measure_judged(judged.back(), result);
+    }
+    const Verdict verdict = verdict_of(judged);
+    result.passed = verdict == Verdict::verified;
+    if (!result.passed) result.why = verdict_name(verdict) + ": " + findings_line(judged);
+}
+
+} // namespace
+
+RungResult evaluate(const Project& candidate, const Project& base, Rung rung, const Progress& progress) {
+    RungResult result;
+    try {
+        SetupPlanners planners;
+        const std::vector<SetupPlan> setups = plan_setups(
+            candidate, "", planners, progress.part(0, rung == Rung::estimate ? 1 : 0.3), plan_view);
+        measure_plan(setups, result);
+        for (const SetupPlan& setup : setups)
+            setup.plan->check_reach();
+        result.passed = true;
+        if (rung != Rung::estimate) judge(setups, base, rung, result, progress.part(0.3, 1));
+    } catch (const Error& e) {
+        if (outer_error(e.code())) throw;
+        result.passed = false;
+        result.why = e.what();
+    }
+    return result;
+}
+
+std::string judging_key(const Project& base) {
+    Key key;
+    key.add(coarse_resolution).add(coarse_spacing);
+    for (std::size_t i = 0; i < setup_count(base); ++i) {
+        const VerifySettings s = verify_settings(view_of_setup(base, i), nullptr);
+        key.add(s.tolerance).add(s.allowance).add(s.gouge_limit).add(s.uncut_limit);
+    }
+    return key.text();
+}
+
+} // namespace facetmill

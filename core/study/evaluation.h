@@ -1,0 +1,20 @@
+// One look at a candidate of a study: planned, and judged.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/job/project.h"
+#include "core/study/halving.h"
+#include "core/study/measure.h"
+
+namespace facetmill {
+
+/// Plans a candidate and, from `coarse` on, has it judged with the tolerance, allowance, gouge and uncut
+/// limit of `base`, the project as it stands. What a candidate cannot do is a result that has not passed;
+/// thrown is what says nothing of it: Error(not_found, unreadable, is_directory, unwritable, internal).
+RungResult evaluate(const Project& candidate, const Project& base, Rung rung, const Progress& progress);
+
+/// Text that is another one where candidates would be judged otherwise: what `base` asks, and how closely
+/// rungs look.
+std::string judging_key(const Project& base);
+
+} // namespace facetmill

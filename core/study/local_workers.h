@@ -1,0 +1,29 @@
+// Candidates worked on by processes: on this machine, or on another one that sees the same folder.
+#pragma once
+
+#include "core/study/study_run.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+/// A worker prints one line where it fails: { "error": { "code", "where", "what", "remedy" } }.
+std::string worker_error_line(const Error& error);
+
+struct StudyWorkers {
+    std::size_t count = 1; ///< at once
+    std::filesystem::path program;
+    /// The words after the program's name for a look at a candidate.
+    std::function<std::vector<std::string>(const StudyWork&)> arguments;
+};
+
+/// One that was ended from without is asked again, five times in all; one that crashed once more. What it is
+/// asked next for is another process, so that a crash costs its candidate alone. Throws the error of a worker
+/// that speaks of more than its candidate: of the disk, of the folder, of another version; and where a worker
+/// cannot be started.
+StudyEngine work_by_processes(const StudyWorkers& workers);
+
+} // namespace facetmill
