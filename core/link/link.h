@@ -49,12 +49,13 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
 /// near and that way is free, or is shorter than what rapids leave at feed while the axis turns by 45 degrees
 /// at most (what stands there of the stock a link cuts as a pass does); else out along the tool axis, in
 /// rapids above or round part and stock (envelope.h), and in along the next axis. In and out a rapid goes to
-/// the clearance from the location where nothing stands on that way (raw material less what operations with
-/// the axis +Z cut before, and what the flutes have cut in this one). Where something does, the
-/// tool goes to or from a location near it at which it has cut and behind which nothing stands, over the part
-/// at feed, or along its axis through the stock at feed, whichever is shorter. In no motion of a link does
-/// the axis turn by more than 5 degrees, nor do interpolations of the axis differ (even_motion.h).
-/// `clearance` is what cutter, shank and holder keep from the part, mm. Throws Error(out_of_range).
+/// the clearance, or half the cutter's radius where that is less, from the location where nothing stands on
+/// that way (raw material less what operations with the axis +Z cut before, and what the flutes have cut in
+/// this one). Where something does, the tool goes to or from a location near it at which it has cut and
+/// behind which nothing stands, over the part at feed, or along its axis through the stock at feed, whichever
+/// is shorter. In no motion of a link does the axis turn by more than 5 degrees, nor do interpolations of the
+/// axis differ (even_motion.h). `clearance` is what cutter, shank and holder keep from the part, mm. Throws
+/// Error(out_of_range).
 ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& context,
                            const ToolClearance& clearance, const LinkOptions& options,
                            const Progress& progress);

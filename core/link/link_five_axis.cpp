@@ -43,7 +43,10 @@ constexpr double off_share = 2;
 /// room.
 constexpr double stock_cell_share = 0.25;
 constexpr double side_gap_share = 0.1;
-/// Along its own axis the tool goes in where it goes no farther than so many clearances at feed.
+/// How near to what stands rapids come along the tool's axis, in radii of the cutter, where the clearance is
+/// more: what lies between is feed in the air. As upright tools do.
+constexpr double near_stock_share = 0.5;
+/// Along its own axis the tool goes in where it goes no farther at feed than so many times that.
 constexpr double short_entry = 2;
 
 /// Finds a route between two locations that keeps clear of the part to within the chord tolerance, lifted
@@ -103,6 +106,7 @@ public:
           kinematics_(context.machine, gauge_length(context.tool),
                       default_part_origin(context.machine, context.part_box)),
           radius_(lift_.cutter().max_radius()), clearance_(options.clearance + clearance.cutter),
+          near_(std::min(clearance_, near_stock_share * radius_)),
           chord_(options.motion_share * options.chord_tolerance), max_lift_(max_lift_share * 2 * radius_),
           apart_(looking_step(radius_, chord_)),
           motion_(kinematics_, radius_, even_link_share * options.chord_tolerance),
@@ -112,7 +116,7 @@ public:
           over_surface_(clear_lift_, motion_, chord_, progress), envelope_(kept_clear_of(path, context)),
           stock_(stock_before(context, stock_cell_share * radius_, progress.part(0, 0.1)), context.tool,
                  radius_, side_gap_share * clearance_),
-          places_(stock_, context.tool, radius_, clearance_) {}
+          places_(stock_, context.tool, radius_, near_) {}
 
     ToolMotions link(const StrategyResult& path) {
         result_.clearance_z = envelope_.level();
@@ -167,7 +171,7 @@ private:
     /// where that is shorter.
     Reach reach(const CutterLocation& at, double slow) {
         Reach best = along_axis(at, slow);
-        if (slow <= short_entry * clearance_) return best;
+        if (slow <= short_entry * near_) return best;
         const bool reached = reaches(at);
         const auto serves = [&](const CutterLocation& place) {
             Reach found{place, {}, 0};
@@ -193,7 +197,7 @@ private:
     }
     /// In to a location, through the stock where some stands on the axis, and on from there over `ahead`.
     Reach in_to(const CutterLocation& at, std::span<const CutterLocation> ahead = {}) {
-        const double slow = std::max(clearance_, stock_.lift(at, clearance_));
+        const double slow = std::max(near_, stock_.lift(at, near_));
         Reach in = reach(at, slow);
         if (in.between.empty()) return in;
         JointRun run(kinematics_, motion_), own = run;
@@ -207,8 +211,7 @@ private:
     }
     /// Out from where it has cut, and where the run of motions has come to.
     Reach out_of(const CutterLocation& at) {
-        const double slow =
-            stock_.free_behind(at) ? clearance_ : std::max(clearance_, stock_.lift(at, clearance_));
+        const double slow = stock_.free_behind(at) ? near_ : std::max(near_, stock_.lift(at, near_));
         Reach out = reach(at, slow);
         Route route(out.between.rbegin(), out.between.rend());
         route.push_back(out.fast);
@@ -322,7 +325,9 @@ private:
         bool linked = link_near(*before, pass, route) && joints_follow(route, pass);
         if (!linked) {
             const Reach out = out_of(last), in = in_to(start, ahead);
-            linked = go_over(last, start, out.length + in.length, route) && joints_follow(route, pass);
+            // Rapids take their time as well: as much as from the clearance at feed.
+            const double detour = out.length + in.length + 2 * (clearance_ - near_);
+            linked = go_over(last, start, detour, route) && joints_follow(route, pass);
             if (!linked) {
                 go_in(in, go_round(out, in), start, pass_index);
                 return;
@@ -386,7 +391,9 @@ private:
     const Progress& progress_;
     ToolLift lift_;
     Kinematics kinematics_;
-    double radius_, clearance_, chord_, max_lift_;
+    double radius_, clearance_;
+    double near_; ///< between what stands, or a location, and where rapids along the axis end
+    double chord_, max_lift_;
     double apart_; ///< The places of a route at which the part is looked at are no farther from each other.
     EvenMotion motion_;
     SurfaceLink on_surface_;

@@ -253,7 +253,7 @@ private slots:
             Box3 both = context.stock_box;
             both.add(context.part_box);
             QVERIFY((to.tip - to.tip.cwiseMax(both.lo).cwiseMin(both.hi)).norm()
-                    > op.common().clearance - 1e-9);
+                    > std::min(op.common().clearance, 0.25 * context.tool.diameter) - 1e-9);
             if (i > 0) QVERIFY(to.axis.dot(motions.motions[i - 1].to.axis) > std::cos(radians(5.001)));
         }
 
