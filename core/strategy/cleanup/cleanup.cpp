@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/body_clearance.h"
 #include "core/strategy/cleanup/cleanup_job.h"
-#include "core/strategy/cleanup/idle_stretches.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/strip_search.h"
@@ -123,13 +122,10 @@ private:
         const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
         order_by_travel(result_.passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
                         top + settings_.clearance, progress.part(1, 1));
-        if (settings_.tilt_limit == 0) {
-            leave_out_idle(result_.passes, context_, job_.radius, job_.cusp, contact_at(),
-                           progress.part(0.5, 1));
+        if (settings_.tilt_limit == 0)
             lead_between(job_, result_.passes,
                          surface_link_distance(result_.stepover_max, context_.tool.diameter),
                          progress.part(1, 1));
-        }
         clear_of_stock(progress.part(1, 1));
         if (settings_.tilt_limit > 0) {
             own_.lead_min = 0;
@@ -140,20 +136,16 @@ private:
         result_.drive_planes = int(result_.passes.size());
     }
 
-    /// What an upright cutter touches.
-    ContactAt contact_at() const {
-        return [&](const Vec3& tip) {
-            const Vec3 point = job_.lift.contact(tip.x(), tip.y()).point;
-            return CutterContact{point, job_.cover.contact_normal(point - tip).value_or(Vec3::UnitZ())};
-        };
-    }
-
     /// Leaves out where shank or holder would come into what operations before left, in the order in which
     /// the passes are cut. Only for an upright tool: LeftStock knows no other.
     void clear_of_stock(const Progress& progress) {
         if (settings_.tilt_limit > 0) return;
-        auto clear = keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact_at(),
-                                              progress);
+        const ContactAt contact = [&](const Vec3& tip) {
+            const Vec3 point = job_.lift.contact(tip.x(), tip.y()).point;
+            return CutterContact{point, job_.cover.contact_normal(point - tip).value_or(Vec3::UnitZ())};
+        };
+        auto clear =
+            keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact, progress);
         if (!clear) return;
         beside_stock_ = std::move(*clear);
         if (result_.passes.empty() && !beside_stock_.left.empty())

@@ -3,7 +3,6 @@
 #include "core/strategy/cleanup/border_touch.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/cleanup/cut_tree.h"
-#include "core/strategy/cleanup/idle_stretches.h"
 #include "core/strategy/cleanup/rest_band.h"
 #include "core/strategy/cleanup/ridge.h"
 #include "core/strategy/cleanup/standing.h"
@@ -460,62 +459,6 @@ private slots:
                 QVERIFY2(c.tip.x() < -4, qPrintable(QString::number(c.tip.x())));
         context.earlier = {cuts(-infinity)};
         QCOMPARE(code_of([&] { Cleanup(settings).plan(context, Progress()); }), std::string("empty_result"));
-    }
-
-    /// In a block of height 1, cut to the floor where x < -8 and, to a twentieth of the tolerance above it,
-    /// where x > 12: of a pass along X what is between, of the same once more nothing. Two stretches near
-    /// each other stay one.
-    void stretches_that_take_nothing_away_are_left_out() {
-        constexpr double tolerance = 0.05, radius = 2;
-        PlanContext context =
-            context_of(height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 2, 2),
-                       ball_tool(2 * radius));
-        context.stock_box.hi.z() = 1;
-        auto earlier = std::make_shared<EarlierCuts>();
-        earlier->cutter = AptCutter::flat(10, 20);
-        for (double y = -15; y <= 15; y += 5) {
-            earlier->motions.push_back({Vec3(-25, y, 0), Vec3(-13, y, 0)});
-            earlier->motions.push_back({Vec3(17, y, 0.05 * tolerance), Vec3(25, y, 0.05 * tolerance)});
-        }
-        context.earlier = {earlier};
-        const auto along = [](double y, double z) {
-            Pass pass;
-            for (const double x : {-18.0, -17.0, 9.0, 18.0}) {
-                pass.cl.push_back({Vec3(x, y, z), Vec3::UnitZ()});
-                pass.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
-            }
-            return pass;
-        };
-        const ContactAt contact = [](const Vec3& tip) {
-            return CutterContact{Vec3(tip.x(), tip.y(), 0), Vec3::UnitZ()};
-        };
-        const auto kept = [&](std::vector<Pass> passes) {
-            leave_out_idle(passes, context, radius, tolerance, contact, Progress());
-            return passes;
-        };
-        const std::vector<Pass> once = kept({along(0, 0), along(0, 0)});
-        QCOMPARE(once.size(), std::size_t(1));
-        QCOMPARE(once[0].cl.size(), once[0].cc.size());
-        // A radius beyond what stands, the pieces that are asked, and a tenth: no more.
-        const double before = once[0].cl.front().tip.x(), behind = once[0].cl.back().tip.x();
-        QVERIFY2(before < -8 - 0.5 * radius && before > -8 - 2 * radius, qPrintable(QString::number(before)));
-        QVERIFY2(behind > 12 + 0.5 * radius && behind < 12 + 2 * radius, qPrintable(QString::number(behind)));
-        // What was left out is not taken for cut: where x > 12 the last takes 13 hundredths of the tolerance,
-        // in steps none of which is a tenth.
-        const std::vector<Pass> steps{along(0, 0), along(0, -0.02 * tolerance), along(0, -0.04 * tolerance),
-                                      along(0, -0.08 * tolerance)};
-        QCOMPARE(kept({steps[0], steps[1], steps[2]}).size(), std::size_t(1));
-        QCOMPARE(kept(steps).size(), std::size_t(2));
-        // A gap that is shorter than what going round it takes is cut.
-        const auto slot = std::make_shared<EarlierCuts>();
-        slot->cutter = AptCutter::flat(6, 20);
-        slot->motions = {{Vec3(2, -15, 0), Vec3(2, 15, 0)}};
-        context.earlier.push_back(slot);
-        QCOMPARE(kept({along(0, 0)}).size(), std::size_t(1));
-        slot->cutter = AptCutter::flat(14, 20);
-        QCOMPARE(kept({along(0, 0)}).size(), std::size_t(2));
-        context.earlier.clear();
-        QCOMPARE(kept({along(0, 0)})[0].cl.size(), std::size_t(4));
     }
 
     /// Passes near to each other are joined along the surface: an arc up stands where the tool is lifted
