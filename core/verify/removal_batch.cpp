@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace facetmill {
@@ -25,7 +26,10 @@ class TileCut {
 public:
     TileCut(RayTile& tile, const StockLattice& lattice, const Vec3& middle, int axis, int tile_i, int tile_j)
         : tile_(tile), lattice_(lattice), middle_(middle), axis_(axis), u_(first_across(axis)),
-          v_(second_across(axis)), i0_(tile_i * RayTile::side), j0_(tile_j * RayTile::side) {}
+          v_(second_across(axis)), i0_(tile_i * RayTile::side), j0_(tile_j * RayTile::side) {
+        for (int ray = 0; ray < RayTile::side * RayTile::side; ++ray)
+            void_above_material(ray);
+    }
 
     bool has_changed() const { return changed_; }
     /// Whether the last item, which is asked for that, has taken away enough to be cutting.
@@ -44,11 +48,7 @@ public:
             p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
             p[u_] = lattice_.origin[u_] + i0_ * lattice_.spacing[u_];
             const auto [first, last] = rays_met(swept, p, ib, ie);
-            if (!(first <= last)) continue;
-            for (int i = int(first); i <= int(last); ++i) {
-                p[u_] = lattice_.origin[u_] + (i0_ + i) * lattice_.spacing[u_];
-                apply_to_ray(item, swept, i + RayTile::side * j, p);
-            }
+            if (first <= last) apply_to_row(item, swept, int(first), int(last), j, p);
         }
         return touch_;
     }
@@ -80,21 +80,67 @@ private:
         return {first, last};
     }
 
-    void apply_to_ray(const RemovalItem& item, const SweepRays& swept, int ray, const Vec3& p) {
-        const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];
-        if (piece->empty() || piece->lo >= high_) return;
-        while (piece->hi <= low_ && piece->next != RayTile::none)
-            piece = &tile_.more[piece->next];
-        if (piece->hi <= low_ || piece->lo >= high_) return;
-        const Stretch s = swept(p, piece->lo, piece->next == RayTile::none ? piece->hi : infinity);
-        if (s.empty()) return;
-        const float from = float(s.lo), to = float(s.hi);
-        if (item.cuts) {
-            if (item.length > 0 && !cut_) cut_ = overlap(ray, from, to) > air_depth;
-            changed_ |= tile_.remove(ray, from, to);
-        } else {
-            see_overlaps(ray, from, to, p);
+    /// Rays `first` to `last` of row j; p is at the row's first one.
+    void apply_to_row(const RemovalItem& item, const SweepRays& swept, int first, int last, int j, Vec3 p) {
+        const int row_start = RayTile::side * j;
+        while (first <= last && is_void(row_start + first, low_, high_))
+            ++first;
+        while (first <= last && is_void(row_start + last, low_, high_))
+            --last;
+        if (first > last) return;
+        Vec3 step = Vec3::Zero();
+        step[u_] = lattice_.spacing[u_];
+        p[u_] = lattice_.origin[u_] + (i0_ + first) * lattice_.spacing[u_];
+        SweepRow met;
+        met.ask(swept, p, step, last - first + 1, low_, high_);
+        for (int i = first; i <= last; ++i) {
+            const auto lane = std::size_t(i - first);
+            if (!(met.lo[lane] <= met.hi[lane])) continue;
+            const float from = float(met.lo[lane]), to = float(met.hi[lane]);
+            const int ray = row_start + i;
+            if (is_void(ray, from, to)) continue;
+            if (find_void(ray, from, to)) continue;
+            if (item.cuts) {
+                if (item.length > 0 && !cut_) cut_ = overlap(ray, from, to) > air_depth;
+                changed_ |= tile_.remove(ray, from, to);
+                find_void(ray, from, to);
+            } else {
+                p[u_] = lattice_.origin[u_] + (i0_ + i) * lattice_.spacing[u_];
+                see_overlaps(ray, from, to, p);
+            }
         }
+    }
+
+    /// Whether [from, to] of a ray is known to hold no material.
+    bool is_void(int ray, float from, float to) const {
+        return from >= void_lo_[std::size_t(ray)] && to <= void_hi_[std::size_t(ray)];
+    }
+    void void_above_material(int ray) {
+        const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];
+        void_lo_[std::size_t(ray)] = -std::numeric_limits<float>::infinity();
+        void_hi_[std::size_t(ray)] = std::numeric_limits<float>::infinity();
+        if (piece->empty()) return;
+        while (piece->next != RayTile::none)
+            piece = &tile_.more[piece->next];
+        void_lo_[std::size_t(ray)] = piece->hi;
+    }
+    /// Remembers what is void round [from, to], if all of that is. Material only becomes less: it stays void.
+    bool find_void(int ray, float from, float to) {
+        float below = -std::numeric_limits<float>::infinity(), above = std::numeric_limits<float>::infinity();
+        const RayTile::Piece* piece = &tile_.first[std::size_t(ray)];
+        if (!piece->empty())
+            for (;; piece = &tile_.more[piece->next]) {
+                if (piece->lo >= to) {
+                    above = piece->lo;
+                    break;
+                }
+                if (piece->hi > from) return false;
+                below = piece->hi;
+                if (piece->next == RayTile::none) break;
+            }
+        void_lo_[std::size_t(ray)] = below;
+        void_hi_[std::size_t(ray)] = above;
+        return true;
     }
 
     double overlap(int ray, float from, float to) const {
@@ -127,6 +173,8 @@ private:
     float low_ = 0, high_ = 0; ///< of the item, along the rays
     bool changed_ = false, cut_ = false;
     RemovalTouch touch_;
+    /// Of each ray a stretch without material, the one last met.
+    std::array<float, std::size_t(RayTile::side) * RayTile::side> void_lo_, void_hi_;
 };
 
 } // namespace

@@ -49,6 +49,7 @@ public:
 
 private:
     friend class SweepRays;
+    friend class SweepRow;
     /// A stretch of the profile whose outward normals are between two angles from straight down: a corner (a
     /// circle in space; r = 0) or an arc. Straight parts of the profile join one feature's end to the next
     /// one's start.
@@ -98,6 +99,7 @@ public:
     const std::array<Strip, 2>& strips() const { return strips_; }
 
 private:
+    friend class SweepRow;
     /// One piece of the outline's chain over [c0, c1]: offsets c along `across_`; heights y along `out_`,
     /// places l along the motion.
     struct Link {
@@ -155,6 +157,24 @@ private:
     Hull hull_;
     std::vector<Link> entry_, exit_;
     std::vector<Start> starts_; ///< of tori
+};
+
+/// The stretches of up to `lanes` lines in a row, which take far less time together.
+class SweepRow {
+public:
+    static constexpr int lanes = 16;
+    using Values = std::array<double, lanes>;
+    /// Sets lo and hi of the `count` lines (p + i step) + t direction; empty where lo > hi. Those that have
+    /// nothing between `low` and `high` may come back empty.
+    void ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low, double high);
+
+    Values lo, hi;
+
+private:
+    struct Touches;
+    void set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u);
+    void set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last);
+    static void touch(const SweepRays& swept, double side, const Values& c, int count, Touches& found);
 };
 
 /// Where the tool is at a share s of a motion, 0 at its start and 1 at its end.

@@ -97,6 +97,33 @@ const std::vector<AptCutter>& cutters() {
     return all;
 }
 
+/// The n-th line near a moving tool, of a kind that random_lines_data names.
+Case random_case(int kind, int n, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> share(0, 1);
+    const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+    const std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    Case k{CutterProfile(cutters()[std::size_t(n) % cutters().size()]), {}, {}, {}};
+    k.move.axis = kind == 1 || kind == 2 ? Vec3(Vec3::UnitZ()) : kind == 6 ? Vec3(Vec3::UnitX()) : unit();
+    k.move.from = 20 * unit();
+    k.move.to = k.move.from + 15 * share(random) * unit();
+    k.u = n % 2 && kind > 0 ? axes[std::size_t(n / 2) % 3] : unit();
+    if (kind == 2) k.move.to.z() = k.move.from.z();
+    if (kind == 3) k.move.to = k.move.from;
+    if (kind == 4) k.move.to = k.move.from + 7 * k.u;
+    if (kind == 5) k.u = k.move.axis.cross(unit()).normalized();
+    if (kind == 7) {
+        const double off = std::pow(10, -4 - 9 * share(random));
+        k.u = Vec3(k.move.axis + off * unit()).normalized();
+        k.move.to = k.move.from + 9 * Vec3(k.move.axis + 0.5 * off * unit()).normalized();
+    }
+    // A line through some place of the tool on its way.
+    const double z = k.profile.height() * share(random);
+    const Vec3 on = k.move.from + share(random) * (k.move.to - k.move.from) + z * k.move.axis;
+    k.p = on + 1.1 * k.profile.max_radius() * std::sqrt(share(random)) * unit() - 10 * share(random) * k.u;
+    return k;
+}
+
 } // namespace
 
 class TestSweep : public QObject {
@@ -113,35 +140,12 @@ private slots:
     void random_lines() {
         QFETCH(int, kind);
         std::mt19937 random(unsigned(100 + kind));
-        std::normal_distribution<double> normal;
         std::uniform_real_distribution<double> share(0, 1);
-        const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
-        const std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
         double worst = 0;
         int hit = 0;
         const int lines = trials(400);
         for (int n = 0; n < lines; ++n) {
-            Case k{CutterProfile(cutters()[std::size_t(n) % cutters().size()]), {}, {}, {}};
-            k.move.axis = kind == 1 || kind == 2 ? Vec3(Vec3::UnitZ())
-                          : kind == 6            ? Vec3(Vec3::UnitX())
-                                                 : unit();
-            k.move.from = 20 * unit();
-            k.move.to = k.move.from + 15 * share(random) * unit();
-            k.u = n % 2 && kind > 0 ? axes[std::size_t(n / 2) % 3] : unit();
-            if (kind == 2) k.move.to.z() = k.move.from.z();
-            if (kind == 3) k.move.to = k.move.from;
-            if (kind == 4) k.move.to = k.move.from + 7 * k.u;
-            if (kind == 5) k.u = k.move.axis.cross(unit()).normalized();
-            if (kind == 7) {
-                const double off = std::pow(10, -4 - 9 * share(random));
-                k.u = Vec3(k.move.axis + off * unit()).normalized();
-                k.move.to = k.move.from + 9 * Vec3(k.move.axis + 0.5 * off * unit()).normalized();
-            }
-            // A line through some place of the tool on its way.
-            const double z = k.profile.height() * share(random);
-            const Vec3 on = k.move.from + share(random) * (k.move.to - k.move.from) + z * k.move.axis;
-            k.p = on + 1.1 * k.profile.max_radius() * std::sqrt(share(random)) * unit()
-                  - 10 * share(random) * k.u;
+            const Case k = random_case(kind, n, random);
             const TurnedBody body(k.profile);
             const Stretch got = SweepRays(body, k.move, k.u)(k.p), want = reference(k);
             if (got.empty() || want.empty()) {
@@ -184,6 +188,49 @@ private slots:
         }
         qInfo("%d of %d lines meet the tool; worst difference %.2g mm", hit, lines, worst);
         QVERIFY(hit > lines / 2);
+    }
+
+    void rows_are_as_their_lines_data() { random_lines_data(); }
+    void rows_are_as_their_lines() {
+        QFETCH(int, kind);
+        std::mt19937 random(unsigned(200 + kind));
+        std::normal_distribution<double> normal;
+        int hit = 0, lines = 0;
+        for (int n = 0; n < trials(400); ++n) {
+            const Case k = random_case(kind, n, random);
+            const TurnedBody body(k.profile);
+            const SweepRays swept(body, k.move, k.u);
+            Vec3 step = Vec3(normal(random), normal(random), normal(random)).normalized();
+            if (n % 3 == 1) step = k.u.unitOrthogonal();
+            if (n % 3 == 2) step = Vec3::Unit(n / 3 % 3);
+            const int count = 1 + n % SweepRow::lanes;
+            const Vec3 p = k.p - 0.5 * count * step;
+            const double low = n % 2 ? -infinity : -20, high = n % 2 ? infinity : 20;
+            SweepRow row;
+            row.ask(swept, p, step, count, low, high);
+            for (int i = 0; i < count; ++i) {
+                const Stretch one = swept(p + i * step);
+                Stretch got{row.lo[std::size_t(i)], row.hi[std::size_t(i)]};
+                const auto within = [&](const Stretch& s) {
+                    return Stretch{std::max(s.lo, low), std::min(s.hi, high)};
+                };
+                const Stretch a = within(one), b = within(got);
+                ++lines;
+                hit += a.empty() ? 0 : 1;
+                // Lines that graze meet the tool or not by rounding.
+                const bool same = a.empty() || b.empty()
+                                      ? (a.empty() || a.hi - a.lo < 1e-5) && (b.empty() || b.hi - b.lo < 1e-5)
+                                      : std::abs(a.lo - b.lo) < 1e-9 && std::abs(a.hi - b.hi) < 1e-9;
+                QVERIFY2(same, qPrintable(QString("case %1, line %2: %3 %4 against %5 %6")
+                                              .arg(n)
+                                              .arg(i)
+                                              .arg(got.lo, 0, 'g', 12)
+                                              .arg(got.hi, 0, 'g', 12)
+                                              .arg(one.lo, 0, 'g', 12)
+                                              .arg(one.hi, 0, 'g', 12)));
+            }
+        }
+        QVERIFY(hit > lines / 5);
     }
 
     void lines_through_a_point_are_not_lost() {

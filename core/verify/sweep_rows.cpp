@@ -1,0 +1,229 @@
+// Many lines in one row at once: the same arithmetic as for single lines, step by step over the whole row, in
+// loops that compilers turn into vector instructions. What they cannot (tori, leaning lines) is asked line by
+// line.
+#include "core/base/tolerances.h"
+#include "core/verify/sweep.h"
+
+#include <algorithm>
+
+namespace facetmill {
+
+namespace {
+
+using RowValues = SweepRow::Values;
+using RowFlags = std::array<std::int64_t, SweepRow::lanes>; // as wide as the values
+
+/// Radii of a body of these sides at heights; below 0 where it has none.
+void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int count, RowValues& radius) {
+    for (int i = 0; i < count; ++i)
+        radius[i] = -1;
+    for (const ProfilePiece& s : sides) {
+        const double from = s.from.y(), to = s.to.y(), wide = std::max(s.from.x(), s.to.x());
+        if (s.kind == ProfilePiece::Kind::arc) {
+            const double middle = s.center.y(), off = s.center.x(), r = s.radius;
+            for (int i = 0; i < count; ++i) {
+                const double up = z[i] - middle, square = (r - up) * (r + up);
+                const double here = off + std::sqrt(square > 0 ? square : 0);
+                const double more = here > radius[i] ? here : radius[i];
+                radius[i] = (z[i] < from) | (z[i] > to) ? radius[i] : more;
+            }
+        } else {
+            const bool rises = to > from;
+            const double start = rises ? s.from.x() : wide, run = rises ? s.to.x() - s.from.x() : 0,
+                         rise = rises ? to - from : 1;
+            for (int i = 0; i < count; ++i) {
+                const double here = start + run * ((z[i] - from) / rise);
+                const double more = here > radius[i] ? here : radius[i];
+                radius[i] = (z[i] < from) | (z[i] > to) ? radius[i] : more;
+            }
+        }
+    }
+}
+
+/// Where s, a piece of a profile that is not upright, has these radii: heights[i] for which `takes` is true.
+template <class Takes>
+void set_heights(const ProfilePiece& s, const RowValues& rho, int count, const Takes& takes,
+                 RowValues& heights) {
+    if (s.kind == ProfilePiece::Kind::line) {
+        const double run = s.to.x() - s.from.x(), rise = s.to.y() - s.from.y();
+        for (int i = 0; i < count; ++i) {
+            const double height = s.from.y() + (rho[i] - s.from.x()) / run * rise;
+            heights[i] = takes(rho[i]) ? height : heights[i];
+        }
+        return;
+    }
+    const double sign = s.from.x() < s.to.x() ? -1 : 1, middle = s.center.y(), off = s.center.x(),
+                 r = s.radius;
+    for (int i = 0; i < count; ++i) {
+        const double out = rho[i] - off, square = (r - out) * (r + out);
+        const double height = middle + sign * std::sqrt(square > 0 ? square : 0);
+        heights[i] = takes(rho[i]) ? height : heights[i];
+    }
+}
+
+} // namespace
+
+void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u) {
+    if (u.x() == 0 && u.y() == 0) {
+        RowValues rho{}, low{}, high{};
+        for (int i = 0; i < count; ++i) {
+            const double x = p.x() + i * step.x(), y = p.y() + i * step.y();
+            rho[i] = std::sqrt(x * x + y * y);
+            low[i] = high[i] = body.sides_[body.lower_ - 1].to.y();
+        }
+        for (std::size_t k = body.lower_; k-- > 0;) // the innermost that reaches so far is told last
+            set_heights(
+                body.sides_[k], rho, count, [to = body.sides_[k].to.x()](double r) { return r <= to; }, low);
+        for (std::size_t k = body.lower_; k < body.sides_.size(); ++k) {
+            const ProfilePiece& s = body.sides_[k];
+            const double from = s.from.x();
+            if (from > s.to.x())
+                set_heights(
+                    s, rho, count, [from](double r) { return r <= from; }, high);
+            else if (from == s.to.x())
+                for (int i = 0; i < count; ++i)
+                    high[i] = rho[i] <= from ? s.to.y() : high[i];
+        }
+        for (int i = 0; i < count; ++i) {
+            const double z = p.z() + i * step.z();
+            const double a = (low[i] - z) / u.z(), b = (high[i] - z) / u.z();
+            lo[i] = rho[i] > body.radius_ ? infinity : a < b ? a : b;
+            hi[i] = rho[i] > body.radius_ ? -infinity : a < b ? b : a;
+        }
+    } else if (u.z() == 0) {
+        RowValues z{}, radius{};
+        for (int i = 0; i < count; ++i)
+            z[i] = p.z() + i * step.z();
+        radii_at(body.sides_, z, count, radius);
+        const double uu = u.x() * u.x() + u.y() * u.y(), length = std::sqrt(uu);
+        for (int i = 0; i < count; ++i) {
+            const double x = p.x() + i * step.x(), y = p.y() + i * step.y();
+            const double middle = -(x * u.x() + y * u.y()) / uu, beside = (x * u.y() - y * u.x()) / length;
+            const double square = (radius[i] - beside) * (radius[i] + beside);
+            const double half = std::sqrt((square > 0 ? square : 0) / uu);
+            const bool none = (radius[i] < 0) | (square < 0);
+            lo[i] = none ? infinity : middle - half;
+            hi[i] = none ? -infinity : middle + half;
+        }
+    } else {
+        for (int i = 0; i < count; ++i) {
+            const Stretch s = body.along_general(p + i * step, u);
+            lo[i] = s.lo;
+            hi[i] = s.hi;
+        }
+    }
+}
+
+void SweepRow::set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last) {
+    set_along(*swept.body_, swept.frame_ * (p - swept.from_) - (last ? swept.length_ : 0.0) * swept.along_,
+              swept.frame_ * step, count, swept.u_);
+}
+
+/// Touches of the outline at offsets that grow or shrink evenly.
+struct SweepRow::Touches {
+    RowValues y, l;
+};
+
+void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int count, Touches& found) {
+    using Link = SweepRays::Link;
+    const std::vector<Link>& chain = side < 0 ? swept.entry_ : swept.exit_;
+    const bool grows = c[count - 1] >= c[0];
+    const Link* link = grows ? chain.data() : chain.data() + chain.size() - 1;
+    const Link* const last = grows ? chain.data() + chain.size() - 1 : chain.data();
+    for (int i = 0; i < count;) {
+        int end = i;
+        if (link == last)
+            end = count;
+        else if (grows)
+            while (end < count && !(c[end] > link->c1))
+                ++end;
+        else
+            while (end < count && c[end] > (link - 1)->c1)
+                ++end;
+        if (link->kind == Link::Kind::line) {
+            for (int k = i; k < end; ++k) {
+                const double t = c[k] - link->c0;
+                found.y[k] = link->y0 + t * link->slope_y;
+                found.l[k] = link->l0 + t * link->slope_l;
+            }
+        } else if (link->kind == Link::Kind::torus) {
+            for (int k = i; k < end; ++k) {
+                const SweepRays::Touch at =
+                    swept.touch_torus(*link, side, std::clamp(c[k], link->c0, link->c1));
+                found.y[k] = at.y;
+                found.l[k] = at.l;
+            }
+        } else {
+            for (int k = i; k < end; ++k) {
+                double cosine = (c[k] - link->middle_c) * link->scale;
+                cosine = cosine < -1 ? -1 : cosine;
+                cosine = cosine > 1 ? 1 : cosine;
+                const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+                found.y[k] = link->middle_y + link->cos_y * cosine + link->sin_y * sine;
+                found.l[k] = link->middle_l + link->cos_l * cosine + link->sin_l * sine;
+            }
+        }
+        i = end;
+        link += grows ? 1 : -1;
+    }
+}
+
+void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low,
+                   double high) {
+    if (swept.parallel_) {
+        set_at_end(swept, p, step, count, false);
+        const double shift = swept.length_ * swept.u_along_;
+        for (int i = 0; i < count; ++i) {
+            lo[i] += std::min(0.0, shift);
+            hi[i] += std::max(0.0, shift);
+        }
+        return;
+    }
+    if (swept.exit_.empty()) {
+        lo.fill(infinity);
+        hi.fill(-infinity);
+        return;
+    }
+    const Vec3 local = p - swept.from_;
+    const Vec3 &across = swept.world_across_, &out = swept.world_out_, &along = swept.world_along_;
+    const double c0 = local.dot(across), y0 = local.dot(out), l0 = local.dot(along);
+    const double dc = step.dot(across), dy = step.dot(out), dl = step.dot(along);
+    RowValues c{};
+    for (int i = 0; i < count; ++i)
+        c[i] = c0 + i * dc;
+    Touches entry{}, exit{};
+    touch(swept, -1, c, count, entry);
+    touch(swept, 1, c, count, exit);
+    const double least = swept.exit_.front().c0, most = swept.exit_.back().c1;
+    const double sine = swept.sine_, per_t = swept.u_along_, length = swept.length_;
+    RowFlags enters_first{}, enters_last{}, leaves_first{}, leaves_last{};
+    std::int64_t first = 0, last = 0;
+    for (int i = 0; i < count; ++i) {
+        const double y = y0 + i * dy, l = l0 + i * dl;
+        const double a = (entry.y[i] - y) / sine, b = (exit.y[i] - y) / sine;
+        // The tool that had moved for ever would not reach the others either.
+        const bool met = (c[i] >= least) & (c[i] <= most) & (a < high) & (b > low);
+        lo[i] = met ? a : infinity;
+        hi[i] = met ? b : -infinity;
+        const double entry_at = l + a * per_t - entry.l[i], exit_at = l + b * per_t - exit.l[i];
+        enters_first[i] = met & (entry_at < 0);
+        enters_last[i] = met & (entry_at > length);
+        leaves_first[i] = met & (exit_at < 0);
+        leaves_last[i] = met & (exit_at > length);
+        first |= enters_first[i] | leaves_first[i];
+        last |= enters_last[i] | leaves_last[i];
+    }
+    // There the body at the nearer end instead.
+    const auto take = [&](bool is_last, const RowFlags& enters, const RowFlags& leaves) {
+        SweepRow end;
+        end.set_at_end(swept, p, step, count, is_last);
+        for (int i = 0; i < count; ++i) {
+            lo[i] = enters[i] ? end.lo[i] : lo[i];
+            hi[i] = leaves[i] ? end.hi[i] : hi[i];
+        }
+    };
+    if (first) take(false, enters_first, leaves_first);
+    if (last) take(true, enters_last, leaves_last);
+}
+
+} // namespace facetmill
