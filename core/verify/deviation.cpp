@@ -92,10 +92,19 @@ public:
         : bodies_(bodies), exit_of_(exit_of), standing_(sight, aims.allowance, aims.far), aims_(aims),
           collision_limit_(
               std::clamp(aims.gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth)),
-          deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index), nearby_(bodies.size()) {
+          deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index), nearby_(bodies.size()),
+          block_(bodies.size()) {
         findings_.program_gouges.assign(bodies.size(), 0);
     }
     BlockFindings take() { return std::move(findings_); }
+
+    /// All samples from now on are within `radius` of `center`, and off the places where their lines start by
+    /// at most `off`.
+    void begin_block(const Vec3& center, double radius, double off) {
+        const double far = aims_.far < infinity ? off + aims_.far : 0;
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            block_[b] = bodies_[b].cutting.near(center, radius + aims_.allowance + far, 0);
+    }
 
     /// Samples within `radius` of `center` come next, `off` that of the places where their lines start.
     void begin_patch(const Vec3& center, double radius, double off) {
@@ -104,8 +113,12 @@ public:
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
             const ProgramProbes& body = bodies_[b];
             Nearby& nearby = nearby_[b];
-            nearby.deep = body.cutting.near(center, radius, -aims_.allowance);
-            if (aims_.far < infinity) nearby.along = body.cutting.near(center, along, 0);
+            const double reach = aims_.far < infinity ? along : radius + aims_.allowance;
+            nearby.one_by_one = nearby.motions.find(body.cutting, center, reach, 0, block_[b]);
+            if (!nearby.one_by_one) {
+                nearby.deep = body.cutting.near(center, radius, -aims_.allowance);
+                if (aims_.far < infinity) nearby.along = body.cutting.near(center, along, 0);
+            }
             nearby.watched.resize(body.watched.size());
             for (std::size_t k = 0; k < body.watched.size(); ++k)
                 nearby.watched[k] = body.watched[k].probes.near(center, radius, collision_limit_);
@@ -139,7 +152,7 @@ private:
         double deepest = 0;
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
             DepthProbe probe{-aims_.allowance, no_index};
-            if (!bodies_[b].cutting.deepen(surface, deep_hints_[b], probe, nearby_[b].deep)) continue;
+            if (!deepen(b, surface, probe)) continue;
             deep_hints_[b] = probe.motion;
             const double depth = probe.depth + aims_.allowance;
             findings_.program_gouges[b] = std::max(findings_.program_gouges[b], depth);
@@ -151,6 +164,11 @@ private:
         }
         return deepest;
     }
+    bool deepen(std::size_t b, const Vec3& surface, DepthProbe& probe) {
+        Nearby& nearby = nearby_[b];
+        return nearby.one_by_one ? bodies_[b].cutting.deepen(surface, deep_hints_[b], probe, nearby.motions)
+                                 : bodies_[b].cutting.deepen(surface, deep_hints_[b], probe, nearby.deep);
+    }
     double left(const Vec3& p, const Vec3& normal, double value, MotionPlace& by) {
         for (std::size_t b = bodies_.size(); b-- > 0 && value > 0;) { // the last to cut likely cuts lowest
             LineProbe probe{value, no_index};
@@ -161,11 +179,15 @@ private:
         }
         return value;
     }
-    bool lower(std::size_t b, const Vec3& p, const Vec3& normal, LineProbe& probe) const {
+    bool lower(std::size_t b, const Vec3& p, const Vec3& normal, LineProbe& probe) {
         const MotionProbes& cutting = bodies_[b].cutting;
         bool lowered = hints_[b] != no_index && cutting.lower(p, normal, hints_[b], probe, {});
-        if (probe.value <= aims_.far && aims_.far < infinity)
-            return cutting.lower(p, normal, no_index, probe, nearby_[b].along) || lowered;
+        if (probe.value <= aims_.far && aims_.far < infinity) {
+            Nearby& nearby = nearby_[b];
+            return (nearby.one_by_one ? cutting.lower(p, normal, probe, nearby.motions)
+                                      : cutting.lower(p, normal, no_index, probe, nearby.along))
+                   || lowered;
+        }
         return cutting.lower(p, normal, no_index, probe) || lowered;
     }
     void collide(const Vec3& surface) {
@@ -188,12 +210,34 @@ private:
     std::vector<Index> deep_hints_, hints_;
     /// Nodes of the trees of motions that can matter to the samples of a patch.
     struct Nearby {
+        bool one_by_one = false; ///< `motions` are all; else nodes are asked
+        NearMotions motions;
         std::vector<Index> deep, along;
         std::vector<std::vector<Index>> watched;
     };
-    std::vector<Nearby> nearby_; ///< per program
+    std::vector<Nearby> nearby_;            ///< per program
+    std::vector<std::vector<Index>> block_; ///< the same for all samples
     BlockFindings findings_;
 };
+
+/// What holds some samples, and how far the lines of any of them begin from it.
+struct Ball {
+    Vec3 center;
+    double radius = 0, off = 0;
+};
+
+Ball ball_of(const SurfaceSamples& samples, const std::vector<std::uint32_t>& order, std::size_t begin,
+             std::size_t end) {
+    Box3 box;
+    for (std::size_t j = begin; j < end; ++j)
+        box.add(samples.points[order[j]]);
+    Ball ball{box.center()};
+    for (std::size_t j = begin; j < end; ++j) {
+        ball.radius = std::max(ball.radius, (samples.points[order[j]] - ball.center).norm());
+        ball.off = std::max(ball.off, (samples.places[order[j]] - samples.points[order[j]]).norm());
+    }
+    return ball;
+}
 
 } // namespace
 
@@ -214,18 +258,12 @@ Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const Stoc
     std::vector<BlockFindings> found((n + probes_per_block - 1) / probes_per_block);
     parallel_blocks(n, probes_per_block, progress.part(0.05, 1.0), [&](std::size_t begin, std::size_t end) {
         SampleProbe probe(bodies, exit_of, sight, aims);
+        const Ball all = ball_of(samples, order, begin, end);
+        probe.begin_block(all.center, all.radius, all.off);
         for (std::size_t k = begin; k < end; ++k) {
             if ((k - begin) % probes_per_patch == 0) {
-                Box3 box;
-                double radius = 0, off = 0;
-                const std::size_t last = std::min(end, k + probes_per_patch);
-                for (std::size_t j = k; j < last; ++j)
-                    box.add(samples.points[order[j]]);
-                for (std::size_t j = k; j < last; ++j) {
-                    radius = std::max(radius, (samples.points[order[j]] - box.center()).norm());
-                    off = std::max(off, (samples.places[order[j]] - samples.points[order[j]]).norm());
-                }
-                probe.begin_patch(box.center(), radius, off);
+                const Ball ball = ball_of(samples, order, k, std::min(end, k + probes_per_patch));
+                probe.begin_patch(ball.center, ball.radius, ball.off);
             }
             const std::size_t i = order[k];
             probed.deviation[i] = probe(samples.points[i], samples.places[i], samples.normals[i],

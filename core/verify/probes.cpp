@@ -250,25 +250,6 @@ Index MotionTree::build(std::size_t begin, std::size_t end, std::vector<Node>& l
 
 // ---- MotionProbes ----
 
-/// The line, and the part of it, from `near` to `far`, that a motion has to reach to change anything.
-struct MotionProbes::Line {
-    Vec3 p, n;
-    double near = 0, far = 0;
-
-    void set(double value, double slack) {
-        far = value - slack;
-        near = std::min(far, 0.0);
-    }
-    /// The part's point nearest to `x`, as its t.
-    double place(const Vec3& x) const { return std::clamp(n.dot(x - p), near, far); }
-    Vec3 at(double t) const { return p + t * n; }
-    /// The most that a plane, `inside` at t, has of the part behind it.
-    double max_inside(const BodySupport::Plane& plane, double t) const {
-        const double slope = plane.normal.dot(n);
-        return plane.inside - std::min(slope * (near - t), slope * (far - t));
-    }
-};
-
 struct MotionProbes::Pose {
     double s0 = 0, s1 = 1;
     CutterLocation first, last;

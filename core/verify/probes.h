@@ -12,6 +12,7 @@
 #include "core/verify/axis_courses.h"
 #include "core/verify/sweep.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -87,6 +88,7 @@ public:
 
 private:
     friend class MotionProbes;
+    friend class NearMotions;
     struct Node {
         Vec3 lo, hi, axis; ///< box of the tips; middle of the axes
         double cone = 0;   ///< no axis is farther from the middle; 0: all are the same
@@ -108,6 +110,37 @@ private:
     std::vector<Node> nodes_;
 };
 
+class MotionProbes;
+
+/// Straight motions that may matter to places near a center, each with a plane that all of its swept body
+/// lies behind: a point p lies no deeper in motion k than height[k] - normal[k] . (p - center).
+class NearMotions {
+public:
+    /// Finds the motions of the nodes `among` in which a point within `radius` of `center` may lie inside the
+    /// body by more than `depth`. False where that is too much: axes turn, or they are too many.
+    bool find(const MotionProbes& probes, const Vec3& center, double radius, double depth,
+              std::span<const Index> among);
+
+private:
+    friend class MotionProbes;
+    struct Promising {
+        std::size_t place;
+        double bound;
+    };
+    void clear(const Vec3& center);
+    void add(Index motion, const Vec3& normal, double at_center);
+    /// The places of those whose bound(place) is above `least`, the highest first.
+    template <class Bound>
+    std::span<const Promising> promising(double least, const Bound& bound);
+
+    Vec3 center_ = Vec3::Zero();
+    std::vector<Index> motions_;
+    std::vector<double> x_, y_, z_, height_; ///< of the planes' normals; at the center
+    std::vector<double> bounds_;
+    std::vector<Promising> promising_;
+    std::vector<Index> open_; ///< nodes still to be looked into
+};
+
 /// Asks one body of a tool where it reaches on lines.
 class MotionProbes {
 public:
@@ -126,15 +159,18 @@ public:
     /// no_index; it does not change the value. `among`: the nodes that are asked.
     bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe,
                std::span<const Index> among = all_nodes) const;
+    bool lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMotions& near) const;
     /// Raises `probe.depth` to the largest depth of the point p inside the moving body, and says whether it
     /// did: the depth is the distance to the body's surface, which needs to know nothing of the part but the
     /// point. Of the courses that the axis may take the deepest. `hint`, `among`: as above.
     bool deepen(const Vec3& p, Index hint, DepthProbe& probe, std::span<const Index> among = all_nodes) const;
+    bool deepen(const Vec3& p, Index hint, DepthProbe& probe, NearMotions& near) const;
     /// The first of an unbroken run of motions, up to `probe.motion`, in which p lies as deep: where a motion
     /// ends the next one begins, and both have that place.
     Index first_as_deep(const Vec3& p, const DepthProbe& probe) const;
 
 private:
+    friend class NearMotions;
     static constexpr std::array<Index, 1> all_nodes{0}; ///< the root
     static constexpr std::size_t max_near = 32; ///< nodes; below them the tree finds faster than a list
     struct Open {
@@ -142,7 +178,24 @@ private:
         double most;
     };
     class OpenNodes;
-    struct Line;
+    /// The line, and the part of it, from `near` to `far`, that a motion has to reach to change anything.
+    struct Line {
+        Vec3 p, n;
+        double near = 0, far = 0;
+
+        void set(double value, double slack) {
+            far = value - slack;
+            near = std::min(far, 0.0);
+        }
+        /// The part's point nearest to `x`, as its t.
+        double place(const Vec3& x) const { return std::clamp(n.dot(x - p), near, far); }
+        Vec3 at(double t) const { return p + t * n; }
+        /// The most that a plane, `inside` at t, has of the part behind it.
+        double max_inside(const BodySupport::Plane& plane, double t) const {
+            const double slope = plane.normal.dot(n);
+            return plane.inside - std::min(slope * (near - t), slope * (far - t));
+        }
+    };
     struct Pose;
     class TurnedPart;
     double reaches(const MotionTree::Node& node, const Line& line) const;
