@@ -44,11 +44,16 @@ public:
         const auto [ib, ie] = rays_within(item.box, u_, i0_);
         const auto [jb, je] = rays_within(item.box, v_, j0_);
         Vec3 p = middle_;
+        p[u_] = lattice_.origin[u_] + i0_ * lattice_.spacing[u_];
+        p[v_] = lattice_.origin[v_] + j0_ * lattice_.spacing[v_];
+        const std::array<RowStrip, 2> strips{in_rays(swept.strips()[0], p), in_rays(swept.strips()[1], p)};
         for (int j = jb; j < je; ++j) {
+            if (is_row_void(j)) continue;
+            int first = ib, last = ie - 1;
+            for (const RowStrip& strip : strips)
+                strip.narrow(j, first, last);
             p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
-            p[u_] = lattice_.origin[u_] + i0_ * lattice_.spacing[u_];
-            const auto [first, last] = rays_met(swept, p, ib, ie);
-            if (first <= last) apply_to_row(item, swept, int(first), int(last), j, p);
+            if (first <= last) apply_to_row(item, swept, first, last, j, p);
         }
         return touch_;
     }
@@ -63,21 +68,45 @@ private:
                 int(std::clamp(std::floor(at(box.hi[k])) + 1, 0.0, double(most)))};
     }
 
-    /// Those of the rays [begin, end) of the row at `p` that can meet what is swept: first and last, none
-    /// where first > last.
-    std::pair<double, double> rays_met(const SweepRays& swept, const Vec3& p, int begin, int end) const {
-        double first = begin, last = end - 1;
-        for (const SweepRays::Strip& strip : swept.strips()) {
-            const double start = strip.value.dot(p), step = strip.value[u_] * lattice_.spacing[u_];
-            if (step == 0) {
-                if (start < strip.low || start > strip.high) last = -1;
-                continue;
+    /// A strip that lines have to be in, as the stretch of a row that is in it: from `low` to `high` in row
+    /// 0, `shift` farther in each next one. In rays.
+    struct RowStrip {
+        double low = -infinity, high = infinity, shift = 0;
+        bool along = false; ///< the strip runs along the rows: low, high and shift are across, in mm
+
+        void narrow(int row, int& first, int& last) const {
+            if (along) {
+                if (row * shift < low || row * shift > high) last = -1;
+                return;
             }
-            const double a = (strip.low - start) / step, b = (strip.high - start) / step;
-            first = std::max(first, std::ceil(std::min(a, b)));
-            last = std::min(last, std::floor(std::max(a, b)));
+            // No ceil and floor, which are calls.
+            constexpr int beyond = 2 * RayTile::side;
+            const double from = std::max(low + row * shift, -1.0),
+                         to = std::min(high + row * shift, beyond - 1.0);
+            if (!(from < beyond && to > -1)) {
+                last = -1;
+                return;
+            }
+            first = std::max(first, beyond - int(beyond - from));
+            last = std::min(last, int(to + beyond) - beyond);
         }
-        return {first, last};
+    };
+    /// `p`: where ray (0, 0) of the tile is.
+    RowStrip in_rays(const SweepRays::Strip& strip, const Vec3& p) const {
+        const double start = strip.value.dot(p), step = strip.value[u_] * lattice_.spacing[u_],
+                     next = strip.value[v_] * lattice_.spacing[v_];
+        if (step == 0) return {strip.low - start, strip.high - start, next, true};
+        const double a = (strip.low - start) / step, b = (strip.high - start) / step;
+        return {std::min(a, b), std::max(a, b), -next / step, false};
+    }
+
+    /// Whether the item's height holds no material in any ray of a row.
+    bool is_row_void(int j) const {
+        const auto start = std::size_t(RayTile::side * j);
+        int material = 0;
+        for (std::size_t i = start; i < start + RayTile::side; ++i)
+            material |= int(low_ < void_lo_[i]) | int(high_ > void_hi_[i]);
+        return material == 0;
     }
 
     /// Rays `first` to `last` of row j; p is at the row's first one.

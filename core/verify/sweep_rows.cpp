@@ -29,10 +29,10 @@ void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int co
             }
         } else {
             const bool rises = to > from;
-            const double start = rises ? s.from.x() : wide, run = rises ? s.to.x() - s.from.x() : 0,
-                         rise = rises ? to - from : 1;
+            const double start = rises ? s.from.x() : wide,
+                         slope = rises ? (s.to.x() - s.from.x()) / (to - from) : 0;
             for (int i = 0; i < count; ++i) {
-                const double here = start + run * ((z[i] - from) / rise);
+                const double here = start + slope * (z[i] - from);
                 const double more = here > radius[i] ? here : radius[i];
                 radius[i] = (z[i] < from) | (z[i] > to) ? radius[i] : more;
             }
@@ -45,9 +45,9 @@ template <class Takes>
 void set_heights(const ProfilePiece& s, const RowValues& rho, int count, const Takes& takes,
                  RowValues& heights) {
     if (s.kind == ProfilePiece::Kind::line) {
-        const double run = s.to.x() - s.from.x(), rise = s.to.y() - s.from.y();
+        const double slope = (s.to.y() - s.from.y()) / (s.to.x() - s.from.x());
         for (int i = 0; i < count; ++i) {
-            const double height = s.from.y() + (rho[i] - s.from.x()) / run * rise;
+            const double height = s.from.y() + slope * (rho[i] - s.from.x());
             heights[i] = takes(rho[i]) ? height : heights[i];
         }
         return;
@@ -84,9 +84,10 @@ void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step
                 for (int i = 0; i < count; ++i)
                     high[i] = rho[i] <= from ? s.to.y() : high[i];
         }
+        const double per_z = 1 / u.z();
         for (int i = 0; i < count; ++i) {
             const double z = p.z() + i * step.z();
-            const double a = (low[i] - z) / u.z(), b = (high[i] - z) / u.z();
+            const double a = (low[i] - z) * per_z, b = (high[i] - z) * per_z;
             lo[i] = rho[i] > body.radius_ ? infinity : a < b ? a : b;
             hi[i] = rho[i] > body.radius_ ? -infinity : a < b ? b : a;
         }
@@ -95,12 +96,14 @@ void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step
         for (int i = 0; i < count; ++i)
             z[i] = p.z() + i * step.z();
         radii_at(body.sides_, z, count, radius);
-        const double uu = u.x() * u.x() + u.y() * u.y(), length = std::sqrt(uu);
+        const double per_length = 1 / std::sqrt(u.x() * u.x() + u.y() * u.y());
+        const double along_x = u.x() * per_length, along_y = u.y() * per_length;
         for (int i = 0; i < count; ++i) {
             const double x = p.x() + i * step.x(), y = p.y() + i * step.y();
-            const double middle = -(x * u.x() + y * u.y()) / uu, beside = (x * u.y() - y * u.x()) / length;
+            const double middle = -(x * along_x + y * along_y) * per_length,
+                         beside = x * along_y - y * along_x;
             const double square = (radius[i] - beside) * (radius[i] + beside);
-            const double half = std::sqrt((square > 0 ? square : 0) / uu);
+            const double half = std::sqrt(square > 0 ? square : 0) * per_length;
             const bool none = (radius[i] < 0) | (square < 0);
             lo[i] = none ? infinity : middle - half;
             hi[i] = none ? -infinity : middle + half;
@@ -195,12 +198,12 @@ void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int 
     touch(swept, -1, c, count, entry);
     touch(swept, 1, c, count, exit);
     const double least = swept.exit_.front().c0, most = swept.exit_.back().c1;
-    const double sine = swept.sine_, per_t = swept.u_along_, length = swept.length_;
+    const double per_sine = 1 / swept.sine_, per_t = swept.u_along_, length = swept.length_;
     RowFlags enters_first{}, enters_last{}, leaves_first{}, leaves_last{};
     std::int64_t first = 0, last = 0;
     for (int i = 0; i < count; ++i) {
         const double y = y0 + i * dy, l = l0 + i * dl;
-        const double a = (entry.y[i] - y) / sine, b = (exit.y[i] - y) / sine;
+        const double a = (entry.y[i] - y) * per_sine, b = (exit.y[i] - y) * per_sine;
         // The tool that had moved for ever would not reach the others either.
         const bool met = (c[i] >= least) & (c[i] <= most) & (a < high) & (b > low);
         lo[i] = met ? a : infinity;
