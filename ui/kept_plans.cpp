@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <set>
 
 namespace facetmill::ui {
 
@@ -23,7 +25,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char *plan_kind = "plan", *verdict_kind = "verdict", *rest_kind = "rest";
+constexpr const char *plan_kind = "plan", *failure_kind = "failure", *verdict_kind = "verdict",
+                     *rest_kind = "rest";
+
+/// Tells one that is in memory from another.
+std::size_t identity_of(const void* known) {
+    return std::hash<const void*>()(known);
+}
 
 /// The key of this user, made where there is none. Throws Error.
 HashKey user_key() {
@@ -87,8 +95,9 @@ std::string FileContents::text(const fs::path& path, const Progress& progress) {
 
 struct KeptPlans::Entry {
     std::size_t setup = 0, operation = 0;
-    std::shared_ptr<const OperationResult> result;
-    std::string fingerprint; ///< as planned
+    std::shared_ptr<const OperationResult> result; ///< null: planning came to none
+    std::string failure;                           ///< why, then
+    std::string fingerprint;                       ///< as planned
 };
 
 struct KeptPlans::Writing {
@@ -125,6 +134,7 @@ std::set<std::string> KeptPlans::Writing::names(const FileText& texts) const {
     std::set<std::string> all;
     for_each_operation(project, [&](const Project& view, std::size_t, std::size_t i) {
         all.insert(folder.name_of(plan_kind, ui::fingerprint(view, i, texts)));
+        all.insert(folder.name_of(failure_kind, ui::fingerprint(view, i, texts)));
         all.insert(folder.name_of(verdict_kind, verdict_source(view, i + 1, texts)));
         if (i == 0) all.insert(folder.name_of(rest_kind, stock_source(view, texts)));
     });
@@ -139,6 +149,13 @@ void KeptPlans::Writing::run(FileContents& contents, const Progress& progress) {
             const Project view = view_of_setup(project, e.setup);
             // What its files are now is what they were then.
             if (ui::fingerprint(view, e.operation) != e.fingerprint) continue;
+            if (!e.result) {
+                const std::string name =
+                    folder.name_of(failure_kind, ui::fingerprint(view, e.operation, texts));
+                if (!folder.has(name))
+                    folder.write(name, e.failure, progress); // a few words: not worth telling
+                continue;
+            }
             write(
                 folder.name_of(plan_kind, ui::fingerprint(view, e.operation, texts)),
                 [&] { return result_bytes(*e.result, *parts.at(e.setup), progress); }, progress);
@@ -209,26 +226,31 @@ std::shared_ptr<KeptPlans::Writing> KeptPlans::collect() {
     auto writing = std::make_shared<Writing>(Writing{.folder = *folder(), .project = document_.project()});
     writing->saved = !document_.modified();
     const std::size_t shown = chosen_setup(writing->project);
-    std::vector<const void*> now{writing->saved ? this : nullptr};
+    std::vector<std::size_t> now{writing->saved ? std::size_t(1) : 0};
     for_each_operation(writing->project, [&](const Project& view, std::size_t k, std::size_t i) {
         const std::string fingerprint = Document::fingerprint(view, i);
         auto result = document_.result_of(document_.setup_ids()[k][i], fingerprint);
         const auto part = k == shown ? document_.part() : planners_->at(k).prepared();
+        if (!result && k == shown && document_.state(i) == OperationState::failed) {
+            std::string failure = utf8(document_.failure(i));
+            now.push_back(std::hash<std::string>()(failure + fingerprint));
+            writing->entries.push_back({k, i, nullptr, std::move(failure), fingerprint});
+        }
         if (!result || !part) return;
-        now.push_back(result.get());
+        now.push_back(identity_of(result.get()));
         writing->parts[k] = part;
-        writing->entries.push_back({k, i, std::move(result), fingerprint});
+        writing->entries.push_back({k, i, std::move(result), {}, fingerprint});
     });
     for (std::size_t k = 0; k < setup_count(writing->project); ++k)
         if (const auto stock = planners_->known_rest(view_of_setup(writing->project, k))) {
-            now.push_back(stock.get());
+            now.push_back(identity_of(stock.get()));
             writing->stocks[k] = stock;
         }
     const VerificationModel& model = verification_.model();
     if (model.current() && !model.outcome().program && model.outcome().setups.size() == 1
         && model.outcome().setups.front().place == shown) {
         writing->verdict = model.outcome_shared();
-        now.push_back(writing->verdict.get());
+        now.push_back(identity_of(writing->verdict.get()));
     }
     const std::string path = writing->folder.path().string();
     if (now == last_ && path == last_path_) return nullptr;
@@ -330,7 +352,12 @@ void KeptPlans::Reading::read_setup(std::size_t setup, Planner& planner, Planner
         const Progress reading = progress.part(double(i) / n, double(i + 1) / n);
         const std::string fingerprint = ui::fingerprint(view, i);
         const std::string name = folder.name_of(plan_kind, ui::fingerprint(view, i, texts));
-        if (!folder.has(name)) continue;
+        if (!folder.has(name)) {
+            const auto failure =
+                folder.read(folder.name_of(failure_kind, ui::fingerprint(view, i, texts)), reading);
+            if (failure) outcomes.push_back({ids[setup][i], nullptr, ui::text(*failure), fingerprint});
+            continue;
+        }
         if (!own) {
             try {
                 own = planner.prepare(view, reading.part(0, 0.1));
@@ -408,12 +435,15 @@ void KeptPlans::taken(Reading& reading, const JobEnd& end) {
     });
     if (reading.outcomes.empty()) return;
     document_.take(reading.outcomes);
-    emit said(MessageBar::Kind::information,
-              reading.outcomes.size() == 1
-                  ? tr("One operation is as it was planned: it was kept with the project.")
-                  : tr("%1 operations are as they were planned: they were kept with the project.")
-                        .arg(reading.outcomes.size()),
-              false);
+    const auto planned = std::count_if(reading.outcomes.begin(), reading.outcomes.end(),
+                                       [](const OperationOutcome& o) { return o.result != nullptr; });
+    if (planned > 0)
+        emit said(
+            MessageBar::Kind::information,
+            planned == 1
+                ? tr("One operation is as it was planned: it was kept with the project.")
+                : tr("%1 operations are as they were planned: they were kept with the project.").arg(planned),
+            false);
     emit taken_up();
     if (!reading.verdict || !document_.part_is_current()) return;
     std::optional<std::size_t> up_to;

@@ -81,7 +81,7 @@ private:
     std::shared_ptr<FileContents> contents_;
     QTimer timer_;
     std::thread thread_;
-    std::vector<const void*> last_; ///< what was there when it was written last
+    std::vector<std::size_t> last_; ///< what was there when it was written last
     std::string last_path_;         ///< and where to
     bool due_ = false, writing_ = false;
     bool wanted_ = false;   ///< what is kept of the opened project is not taken up yet

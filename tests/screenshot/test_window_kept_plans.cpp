@@ -249,6 +249,36 @@ private slots:
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
     }
 
+    /// That there is no plan, and why, is there again as well.
+    void a_failure_is_kept_with_its_words() {
+        folder_ = scratch_folder(QStringLiteral("kept_failure"));
+        QVERIFY(open_and_plan());
+        w().tree().select({ui::TreeNode::Kind::part, 0});
+        enter(w(), "tessellation_tolerance1", QStringLiteral("1")); // leaves nothing of the tolerance
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::failed);
+        const QString why = w().document().failure(0);
+        QVERIFY(!why.isEmpty());
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 1);
+        QVERIFY(reopen());
+        QCOMPARE(w().document().state(0), OperationState::failed);
+        QCOMPARE(w().document().failure(0), why);
+        QVERIFY(!w().document().modified());
+        // Not of another operation.
+        w().tree().select({ui::TreeNode::Kind::part, 0});
+        enter(w(), "tessellation_tolerance1", QStringLiteral("0"));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 1); // the failure is of no use to the project any more
+    }
+
     void saved_and_closed_at_once() {
         folder_ = scratch_folder(QStringLiteral("kept_at_once"));
         QVERIFY(open_and_plan());
