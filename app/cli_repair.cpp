@@ -111,6 +111,18 @@ RepairStep join_step(const std::string& text, double per) {
     return step;
 }
 
+/// "0,0,1,12.5"
+std::vector<double> read_numbers(const std::string& option, const std::string& text,
+                                 const std::string& remedy) {
+    std::vector<double> numbers;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(',', at), text.size());
+        numbers.push_back(read_number(option, text.substr(at, end - at), remedy));
+        at = end + 1;
+    }
+    return numbers;
+}
+
 RepairStep cut_step(const std::string& text, double per) {
     const std::string remedy =
         "write the normal and how far off the origin, as in 0,0,1,12.5 or 0,0,1,12.5:open";
@@ -120,15 +132,28 @@ RepairStep cut_step(const std::string& text, double per) {
         step.close = false;
     else if (value.first != text)
         wrong_value("--cut", text, remedy);
-    std::vector<double> numbers;
-    for (std::size_t at = 0; at <= value.first.size();) {
-        const std::size_t end = std::min(value.first.find(',', at), value.first.size());
-        numbers.push_back(read_number("--cut", value.first.substr(at, end - at), remedy));
-        at = end + 1;
-    }
+    const std::vector<double> numbers = read_numbers("--cut", value.first, remedy);
     if (numbers.size() != 4) wrong_value("--cut", text, remedy);
     step.normal = {numbers[0], numbers[1], numbers[2]};
     step.offset = per * numbers[3];
+    return step;
+}
+
+RepairStep hole_step(const std::string& text, double per) {
+    const std::string remedy =
+        "write where the hole's middle is, as in 10,20,5 or 10,20,5:flat or 10,20,5:left";
+    const Value value(text);
+    RepairStep step{.kind = Kind::hole};
+    const auto& words = repair_step_parameters().find("fill")->info.words;
+    const auto word = std::find(words.begin(), words.end(), value.second);
+    if (word != words.end())
+        step.fill = RepairStep::Fill(word - words.begin());
+    else if (value.first != text)
+        wrong_value("--hole", text, remedy);
+    const std::vector<double> at = read_numbers("--hole", value.first, remedy);
+    if (at.size() != step.at.size()) wrong_value("--hole", text, remedy);
+    for (std::size_t k = 0; k < at.size(); ++k)
+        step.at[k] = per * at[k];
     return step;
 }
 
@@ -140,6 +165,7 @@ std::vector<RepairStep> recipe_of(const Arguments& arguments, double per) {
         if (option == "--turn" || option == "--orient") recipe.push_back({.kind = Kind::turn});
         if (option == "--needles") recipe.push_back(bound_step(Kind::needles, option, text, per));
         if (option == "--holes") recipe.push_back(fill_step(Kind::holes, option, text, per));
+        if (option == "--hole") recipe.push_back(hole_step(text, per));
         if (option == "--smooth") recipe.push_back(bound_step(Kind::smooth, option, text, per));
         if (option == "--decimate") recipe.push_back(bound_step(Kind::decimate, option, text, per));
         if (option == "--cut") recipe.push_back(cut_step(text, per));
@@ -299,6 +325,11 @@ Command repair_command() {
              {.name = "--holes",
               .value = "SIZE[:flat]",
               .help = "fills holes of at most this diameter (0: all) as the surface bends, or flat",
+              .repeated = true},
+             {.name = "--hole",
+              .value = "X,Y,Z[:HOW]",
+              .help = "fills the one hole with its middle there smooth or flat, or leaves it open: HOW is "
+                      "smooth, flat or left",
               .repeated = true},
              {.name = "--smooth",
               .value = "BOUND[:ANGLE]",

@@ -77,16 +77,22 @@ PatchRim HoleFiller::rim_of(const Hole& hole) const {
     return rim;
 }
 
-StepResult fill_holes(const Mesh& source, const RepairStep& step, const Progress& progress) {
+StepResult fill_holes(const Mesh& source, const RepairStep& step, const std::vector<Vec3>& left,
+                      const Progress& progress) {
     const HoleList list = holes_of(source, progress.part(0, 0.5));
+    std::vector<char> stays(list.holes.size() + 1, 0); // the last: of places where no hole is
+    for (const Vec3& at : left)
+        stays[hole_near(list.holes, at)] = 1;
     StepResult result;
-    std::size_t filled = 0, larger = 0, unfit = 0;
+    std::size_t filled = 0, larger = 0, unfit = 0, asked = 0;
     auto mesh = std::make_shared<Mesh>(source);
     HoleFiller filler(source, progress.part(0.5, 0.6));
     for (std::size_t i = list.holes.size(); i-- > 0;) { // the smallest first
         const Hole& hole = list.holes[i];
         const double done = 0.6 + 0.4 * (1 - double(i + 1) / double(list.holes.size()));
-        if (step.size > 0 && hole.diameter > step.size)
+        if (stays[i])
+            ++asked;
+        else if (step.size > 0 && hole.diameter > step.size)
             ++larger;
         else
             ++(filler.fill(hole, step.fill, *mesh, progress.part(done, done)) ? filled : unfit);
@@ -95,9 +101,32 @@ StepResult fill_holes(const Mesh& source, const RepairStep& step, const Progress
     result.tell("facets_added", mesh->facet_count() - source.facet_count());
     result.tell_any("left_larger", larger);
     result.tell_any("left_without_fit", unfit);
+    result.tell_any("left_as_asked", asked);
     result.tell_any("sheet_ends", list.sheet_ends);
     result.tell_any("facets_in_no_sheet", list.left_out);
     if (filled > 0) result.mesh = std::move(mesh);
+    return result;
+}
+
+StepResult fill_hole(const Mesh& source, const RepairStep& step, const Progress& progress) {
+    const HoleList list = holes_of(source, progress.part(0, 0.5));
+    const std::size_t h = hole_near(list.holes, Vec3(step.at[0], step.at[1], step.at[2]));
+    StepResult result;
+    if (h == list.holes.size()) {
+        result.tell("not_found", 1);
+        return result;
+    }
+    if (step.fill == RepairStep::Fill::left) {
+        result.tell("left_as_asked", 1);
+        return result;
+    }
+    auto mesh = std::make_shared<Mesh>(source);
+    HoleFiller filler(source, progress.part(0.5, 0.8));
+    const bool filled = filler.fill(list.holes[h], step.fill, *mesh, progress.part(0.8, 1));
+    result.tell("filled", filled ? 1 : 0);
+    result.tell("facets_added", mesh->facet_count() - source.facet_count());
+    result.tell_any("left_without_fit", filled ? 0 : 1);
+    if (filled) result.mesh = std::move(mesh);
     return result;
 }
 

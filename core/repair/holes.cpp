@@ -55,6 +55,18 @@ std::vector<Hole> parted(const std::vector<Index>& loop) {
 
 } // namespace
 
+std::size_t hole_near(const std::vector<Hole>& holes, const Vec3& at) {
+    std::size_t nearest = holes.size();
+    double distance = infinity;
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+        const double d = (holes[h].center - at).norm();
+        if (d > 0.5 * holes[h].diameter || d >= distance) continue;
+        distance = d;
+        nearest = h;
+    }
+    return nearest;
+}
+
 HoleList holes_of(const Mesh& mesh, const Progress& progress) {
     const auto topology = build_topology(mesh, progress.part(0, 0.9));
     const HalfedgeMesh& half = topology->mesh;

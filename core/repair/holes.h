@@ -24,6 +24,10 @@ struct HoleList {
     std::size_t left_out = 0; ///< facets that are in no manifold sheet
 };
 
+/// The hole whose middle is nearest to a place, no farther from it than half its diameter; none: their
+/// number.
+std::size_t hole_near(const std::vector<Hole>& holes, const Vec3& at);
+
 /// Linear in the facets. Throws Error(limit_exceeded) as build_topology.
 HoleList holes_of(const Mesh& mesh, const Progress& progress);
 

@@ -53,13 +53,14 @@ void add_amounts(ParameterTable<RepairStep>& t) {
     area.quantity = Quantity::area;
     t.add(&RepairStep::area, area);
     t.add(&RepairStep::keep, step_count("keep", "Keep", "pieces: only so many with the largest areas stay."));
-    t.add_choice(&RepairStep::fill, {.key = "fill",
-                                     .label = "Fill",
-                                     .help = "holes: smooth goes on as the surface around bends; flat takes "
-                                             "the least area.",
-                                     .words = {"smooth", "flat"},
-                                     .stage = Stage::mesh,
-                                     .default_unwritten = true});
+    t.add_choice(&RepairStep::fill,
+                 {.key = "fill",
+                  .label = "Fill",
+                  .help = "holes, hole: smooth goes on as the surface around bends; flat takes "
+                          "the least area. hole: left stays open whatever later steps say.",
+                  .words = {"smooth", "flat", "left"},
+                  .stage = Stage::mesh,
+                  .default_unwritten = true});
     ParameterInfo bound =
         step_length("bound", "Bound",
                     "needles, smooth, decimate: no place of the surface moves farther. join: nor does the "
@@ -110,6 +111,13 @@ void add_shapes(ParameterTable<RepairStep>& t) {
     thickness.minimum = -largest_bound;
     thickness.maximum = largest_bound;
     t.add(&RepairStep::thickness, thickness);
+    ParameterInfo at =
+        step_length("at", "Middle",
+                    "hole: where the hole is: the one whose middle is nearest, no farther than "
+                    "half its diameter.");
+    at.kind = ParameterKind::triple;
+    at.minimum = -largest_size;
+    t.add(&RepairStep::at, at);
     t.add(&RepairStep::file, {.key = "file",
                               .label = "File",
                               .help = "join: the file of the scan that is joined on, in the unit and the "
@@ -169,8 +177,12 @@ void check_step(RepairStep step, const std::string& place) {
         break;
     case Kind::turn:
     case Kind::holes:
+    case Kind::hole:
         break;
     }
+    if (step.fill == RepairStep::Fill::left && step.kind != Kind::hole)
+        refuse(place, ErrorCode::out_of_range, "fill", "only a step of kind hole leaves a hole open",
+               "write smooth or flat");
 }
 
 } // namespace
@@ -185,9 +197,10 @@ const ParameterTable<RepairStep>& repair_step_parameters() {
                               "to agree, takes needles away, fills holes, smooths noise, "
                               "decimates, cuts by a plane, thickens a sheet, makes anew "
                               "where the surface crosses itself, joins another scan on, takes sheets "
-                              "away that hang on the surface and end in the open.",
+                              "away that hang on the surface and end in the open, fills one hole or "
+                              "leaves it open.",
                       .words = {"pieces", "turn", "needles", "holes", "smooth", "decimate", "cut", "thicken",
-                                "crossings", "join", "fins"},
+                                "crossings", "join", "fins", "hole"},
                       .stage = Stage::mesh,
                       .required = "say what the step does"});
         add_amounts(t);
@@ -218,7 +231,8 @@ const std::vector<std::string>& repair_keys(Kind kind) {
                                                        {"thickness"},
                                                        {"size", "fill"},
                                                        {"file", "size", "bound"},
-                                                       {"size"}};
+                                                       {"size"},
+                                                       {"at", "fill"}};
     return of_kind[std::size_t(kind)];
 }
 

@@ -25,15 +25,16 @@ struct RepairStep {
         crossings, ///< where the surface runs through itself it is made anew
         join,      ///< another scan goes on where this one ends
         fins,      ///< sheets that hang on the surface and end in the open are taken away
+        hole,      ///< one hole is filled, or left by the steps that follow
     };
-    enum class Fill { smooth, flat };
+    enum class Fill { smooth, flat, left };
     Kind kind = Kind::turn;
     double size = 0; ///< pieces: diagonal of the box; holes, crossings: diameter; fins: as pieces; join:
                      ///< scans lie no farther apart
     long facets = 0; ///< pieces: with fewer; decimate: as many stay
     double area = 0; ///< pieces: with less
     long keep = 0;   ///< pieces: so many with the largest areas stay
-    Fill fill = Fill::smooth; ///< holes
+    Fill fill = Fill::smooth; ///< holes, hole, crossings; left: hole alone
     double bound = 0; ///< needles, smooth, decimate: nothing moves farther; join: the scan laid on this one
     double angle = radians(60);            ///< smooth: edges with a sharper bend are features
     double share = 0;                      ///< decimate: of the facets that stays
@@ -43,6 +44,7 @@ struct RepairStep {
     double thickness = 0;                  ///< thicken: to the back of the sheet, to its front below 0
     bool off = false;                      ///< in the recipe, and left out
     std::string file;                      ///< join: the other scan
+    std::array<double, 3> at{0, 0, 0};     ///< hole: its middle, or near it
 
     bool operator==(const RepairStep&) const = default;
 };

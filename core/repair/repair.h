@@ -43,10 +43,11 @@ struct Repaired {
 
 /// New vertices lie where a 32-bit float can say it, so that a binary STL file in mm holds the very mesh that
 /// was judged. The mesh must have no facet that names a vertex twice (load_mesh leaves these out). `reading`:
-/// how the files of scans that are joined on are read; their places are those of located_recipe. Throws
+/// how the files of scans that are joined on are read; their places are those of located_recipe. `done`: the
+/// mesh is what so many steps at the beginning have made; they are not in the result. Throws
 /// Error(out_of_range, missing_key) as check_recipe does, Error(empty_result) when a step leaves no facet,
 /// Error(limit_exceeded), what load_mesh throws, Cancelled. The same bits with any number of threads.
 Repaired run_recipe(const MeshPtr& mesh, const std::vector<RepairStep>& recipe, const Progress& progress,
-                    const MeshReading& reading = {});
+                    const MeshReading& reading = {}, std::size_t done = 0);
 
 } // namespace facetmill

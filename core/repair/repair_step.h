@@ -25,7 +25,10 @@ StepResult remove_pieces(const Mesh& mesh, const RepairStep& step, const Progres
 StepResult remove_fins(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult turn_facets(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult remove_needles(const Mesh& mesh, const RepairStep& step, const Progress& progress);
-StepResult fill_holes(const Mesh& mesh, const RepairStep& step, const Progress& progress);
+/// `left`: holes with their middles there (hole_near) stay open.
+StepResult fill_holes(const Mesh& mesh, const RepairStep& step, const std::vector<Vec3>& left,
+                      const Progress& progress);
+StepResult fill_hole(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult smooth_noise(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult decimate(const Mesh& mesh, const RepairStep& step, const Progress& progress);
 StepResult cut_by_plane(const Mesh& mesh, const RepairStep& step, const Progress& progress);

@@ -141,14 +141,23 @@ std::vector<HoleFate> hole_fates(const Mesh& mesh, const Survey& survey,
     const auto& holes = survey.holes.holes;
     std::vector<HoleFate> fates(holes.size(), HoleFate::left);
     const std::vector<Index> shells = shells_of_holes(mesh, survey);
+    std::vector<char> stays(holes.size() + 1, 0); // as asked; the last: of places where no hole is
     for (const RepairStep& step : recipe) {
-        if (step.off || (step.kind != Kind::pieces && step.kind != Kind::holes)) continue;
+        if (step.off) continue;
+        if (step.kind == Kind::hole) {
+            const std::size_t h = hole_near(holes, Vec3(step.at[0], step.at[1], step.at[2]));
+            if (step.fill == RepairStep::Fill::left)
+                stays[h] = 1;
+            else if (h < holes.size() && fates[h] == HoleFate::left)
+                fates[h] = HoleFate::filled;
+        }
+        if (step.kind != Kind::pieces && step.kind != Kind::holes) continue;
         std::vector<char> goes;
         if (step.kind == Kind::pieces) goes = pieces_that_go(survey.shells, step);
         for (std::size_t h = 0; h < holes.size(); ++h) {
             if (fates[h] != HoleFate::left) continue;
             if (step.kind == Kind::pieces && goes[shells[h]]) fates[h] = HoleFate::goes;
-            if (step.kind == Kind::holes && (step.size == 0 || holes[h].diameter <= step.size))
+            if (step.kind == Kind::holes && !stays[h] && (step.size == 0 || holes[h].diameter <= step.size))
                 fates[h] = HoleFate::filled;
         }
     }

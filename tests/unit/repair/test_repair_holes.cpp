@@ -120,6 +120,55 @@ private slots:
         QVERIFY(stands_in_order(open, *r.mesh));
     }
 
+    /// Each hole by itself: flat, smooth or left, whatever the step for the others says.
+    void one_hole_is_chosen_by_its_place() {
+        const Mesh sphere = ringed_sphere(30, 20);
+        const auto at = [](const Vec3& c, const Vec3& way) { return c.normalized().dot(way) > 0.97; };
+        const Mesh open = without_facets(sphere, [&](const Vec3& c) {
+            return at(c, Vec3::UnitX()) || at(c, -Vec3::UnitX()) || at(c, Vec3::UnitY());
+        });
+        const auto one = [](const Vec3& place, RepairStep::Fill fill) {
+            RepairStep step{.kind = RepairStep::Kind::hole};
+            step.at = {place.x(), place.y(), place.z()};
+            step.fill = fill;
+            return step;
+        };
+        using enum RepairStep::Fill;
+        const auto open_edges = [&](const Repaired& r) { return report_of_mesh(*r.mesh).open_edges; };
+        const auto all = holes_of(open, {}).holes;
+        QCOMPARE(all.size(), std::size_t(3));
+        const std::size_t rim = report_of_mesh(open).open_edges;
+        // One alone is filled, the others stay as they were.
+        const Repaired filled = repaired(open, {one(Vec3(19, 0.5, 0), flat)});
+        QCOMPARE(filled.steps[0].count("filled"), std::size_t(1));
+        QVERIFY(stands_in_order(open, *filled.mesh));
+        const auto rest = holes_of(*filled.mesh, {}).holes;
+        QCOMPARE(rest.size(), std::size_t(2));
+        for (const Hole& hole : rest)
+            QVERIFY(std::abs(hole.center.x()) < 1 || hole.center.x() < -15);
+        // Smooth bulges, flat does not.
+        const auto volume = [&](const Repaired& r) { return report_of_mesh(*r.mesh).file_volume; };
+        const RepairStep others = holes_up_to(0);
+        QVERIFY(volume(repaired(open, {one(Vec3(19, 0, 0), smooth), others}))
+                > volume(repaired(open, {one(Vec3(19, 0, 0), flat), others})) + 1);
+        // Left, by the step for all that follows; filled, where it comes before.
+        const Repaired left_open = repaired(open, {one(Vec3(0, 19, 0), left), others});
+        QCOMPARE(left_open.steps[1].count("filled"), std::size_t(2));
+        QCOMPARE(left_open.steps[1].count("left_as_asked"), std::size_t(1));
+        QVERIFY(open_edges(left_open) > 0 && open_edges(left_open) < rim);
+        QCOMPARE(open_edges(repaired(open, {others, one(Vec3(0, 19, 0), left)})), std::size_t(0));
+        // The steps before are known though others have carried them out.
+        const std::vector<RepairStep> recipe{one(Vec3(0, 19, 0), left), others};
+        const Repaired second = run_recipe(std::make_shared<Mesh>(open), recipe, {}, {}, 1);
+        QCOMPARE(second.steps.size(), std::size_t(1));
+        QVERIFY(same_mesh(*second.mesh, *left_open.mesh));
+        // Where none is, none is filled; a step for all cannot leave them.
+        QCOMPARE(repaired(open, {one(Vec3(0, 0, 19), flat)}).steps[0].count("not_found"), std::size_t(1));
+        RepairStep wrong = others;
+        wrong.fill = left;
+        QVERIFY_EXCEPTION_THROWN(check_recipe({wrong}, "repair"), Error);
+    }
+
     void the_rim_of_a_flat_sheet_is_no_hole() {
         const Mesh sheet =
             grid_mesh(6, 6, false, false, 0.2, [](double a, double b) { return Vec3(10 * a, 10 * b, 1.0); });

@@ -104,6 +104,13 @@ private slots:
         QVERIFY(hole_fates(mesh, survey, {holes, pieces}) == (Fates{left, filled, filled}));
         holes.size = 0;
         QVERIFY(hole_fates(mesh, survey, {holes}) == (Fates{filled, filled, filled}));
+        RepairStep one{.kind = Kind::hole};
+        const Vec3 at = survey.holes.holes[1].center;
+        one.at = {at.x(), at.y(), at.z()};
+        QVERIFY(hole_fates(mesh, survey, {one}) == (Fates{left, filled, left}));
+        one.fill = RepairStep::Fill::left;
+        QVERIFY(hole_fates(mesh, survey, {one, holes}) == (Fates{filled, left, filled}));
+        QVERIFY(hole_fates(mesh, survey, {holes, one}) == (Fates{filled, filled, filled}));
         holes.off = true;
         QVERIFY(hole_fates(mesh, survey, {holes, pieces}) == (Fates{left, left, goes}));
     }
