@@ -732,6 +732,10 @@
         <translation>Füllung</translation>
     </message>
     <message>
+        <source>Filling a hole</source>
+        <translation>Ein Loch wird gefüllt</translation>
+    </message>
+    <message>
         <source>Filling holes</source>
         <translation>Löcher werden gefüllt</translation>
     </message>
@@ -1334,6 +1338,10 @@
     <message>
         <source>Measuring what stays</source>
         <translation>Gemessen wird, was bleibt</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -2432,8 +2440,8 @@
         <translation>Wie das Einrichteblatt das Werkzeug nennt.</translation>
     </message>
     <message>
-        <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open.</source>
-        <translation>Was der Schritt tut: kleine Stücke entfernen, Facetten einheitlich wenden, Nadeln entfernen, Löcher füllen, Rauschen glätten, ausdünnen, an einer Ebene schneiden, eine offene Fläche verdicken, neu machen, wo sich die Fläche selbst durchdringt, einen anderen Scan anfügen, Lappen entfernen, die an der Fläche hängen und im Freien enden.</translation>
+        <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open, fills one hole or leaves it open.</source>
+        <translation>Was der Schritt tut: kleine Stücke entfernen, Facetten einheitlich wenden, Nadeln entfernen, Löcher füllen, Rauschen glätten, ausdünnen, an einer Ebene schneiden, eine offene Fläche verdicken, neu machen, wo sich die Fläche selbst durchdringt, einen anderen Scan anfügen, Lappen entfernen, die an der Fläche hängen und im Freien enden, ein Loch füllen oder offen lassen.</translation>
     </message>
     <message>
         <source>What the stock is larger than the part: on both sides in x, on both sides in y, on top in z. Round a cylinder whose diameter is `auto` the larger one of those across its axis counts.</source>
@@ -4232,12 +4240,20 @@
         <translation>enthält {1} Dateien, mehr als {2}</translation>
     </message>
     <message>
+        <source>hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>hole: where the hole is: the one whose middle is nearest, no farther than half its diameter.</source>
+        <translation>Loch: wo das Loch ist: das, dessen Mitte am nächsten liegt, nicht weiter als sein halber Durchmesser.</translation>
+    </message>
+    <message>
         <source>holes</source>
         <translation>Löcher</translation>
     </message>
     <message>
-        <source>holes: smooth goes on as the surface around bends; flat takes the least area.</source>
-        <translation>Löcher: glatt setzt die Krümmung der Fläche ringsum fort; flach nimmt am wenigsten Fläche.</translation>
+        <source>holes, hole: smooth goes on as the surface around bends; flat takes the least area. hole: left stays open whatever later steps say.</source>
+        <translation>Löcher, Loch: glatt setzt die Krümmung der Fläche ringsum fort; flach nimmt am wenigsten Fläche. Loch: offen bleibt offen, was immer spätere Schritte sagen.</translation>
     </message>
     <message>
         <source>in a file of version 2 every setup has its own</source>
@@ -4642,6 +4658,10 @@
     <message>
         <source>leave this operation out, or check what those before it cut</source>
         <translation>diese Operation weglassen oder prüfen, was die davor fräsen</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>offen</translation>
     </message>
     <message>
         <source>left by the main path</source>
@@ -5142,6 +5162,10 @@
     <message>
         <source>oneway</source>
         <translation>einseitig</translation>
+    </message>
+    <message>
+        <source>only a step of kind hole leaves a hole open</source>
+        <translation>nur ein Schritt der Art Loch lässt ein Loch offen</translation>
     </message>
     <message>
         <source>open the file itself, under a name that ends as its format does</source>
@@ -7236,6 +7260,10 @@
         <translation>je Operation ein Programm schreiben: "programs": "each"</translation>
     </message>
     <message>
+        <source>write smooth or flat</source>
+        <translation>schreiben Sie glatt oder flach</translation>
+    </message>
+    <message>
         <source>write the part in pieces</source>
         <translation>das Teil in Stücken schreiben</translation>
     </message>
@@ -7947,6 +7975,10 @@
         <translation>Zum Projekt hinzu&amp;fügen</translation>
     </message>
     <message>
+        <source>&amp;As the other holes</source>
+        <translation>Wie die &amp;anderen Löcher</translation>
+    </message>
+    <message>
         <source>&amp;Before</source>
         <translation>&amp;Vorher</translation>
     </message>
@@ -8053,6 +8085,10 @@
     <message>
         <source>&amp;Language</source>
         <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>&amp;Leave open</source>
+        <translation>&amp;Offen lassen</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -8319,6 +8355,18 @@
         <translation>Ein Einrichteblatt beginnt mit dem Ergebnis der Prüfung. Zuerst Prüfen (F6).</translation>
     </message>
     <message>
+        <source>A step of its own: goes on as the surface around bends</source>
+        <translation>Ein eigener Schritt: setzt die Krümmung der Fläche ringsum fort</translation>
+    </message>
+    <message>
+        <source>A step of its own: it stays open whatever the others say</source>
+        <translation>Ein eigener Schritt: es bleibt offen, was immer die anderen sagen</translation>
+    </message>
+    <message>
+        <source>A step of its own: takes the least area</source>
+        <translation>Ein eigener Schritt: nimmt am wenigsten Fläche</translation>
+    </message>
+    <message>
         <source>A value is not valid</source>
         <translation>Ein Wert ist ungültig</translation>
     </message>
@@ -8401,6 +8449,10 @@
     <message>
         <source>After</source>
         <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Against neighbours</source>
+        <translation>Gegen Nachbarn</translation>
     </message>
     <message>
         <source>Align edge with X</source>
@@ -8823,6 +8875,10 @@
         <translation>Klick: wird in der Ansicht gezeigt. Doppelklick: Teil darauf legen.</translation>
     </message>
     <message>
+        <source>Click: shown in the view. Right click: how it is filled</source>
+        <translation>Klick: wird in der Ansicht gezeigt. Rechtsklick: wie es gefüllt wird</translation>
+    </message>
+    <message>
         <source>Click: the view goes there. Check mark: whether the strip is cut.</source>
         <translation>Klick: die Ansicht geht dorthin. Häkchen: ob der Streifen gefräst wird.</translation>
     </message>
@@ -8833,6 +8889,14 @@
     <message>
         <source>Closed curve</source>
         <translation>Geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>Closed curves of open edges; the rim of an open sheet is one of them. A click goes to one.</source>
+        <translation>Geschlossene Kurven offener Kanten; der Rand einer offenen Fläche ist eine davon. Ein Klick geht zu einer.</translation>
+    </message>
+    <message>
+        <source>Closes holes up to a diameter; nothing else changes.</source>
+        <translation>Schließt Löcher bis zu einem Durchmesser; sonst ändert sich nichts.</translation>
     </message>
     <message>
         <source>Collisions</source>
@@ -8859,6 +8923,10 @@
         <translation>Kopieren</translation>
     </message>
     <message>
+        <source>Crossings</source>
+        <translation>Durchdringungen</translation>
+    </message>
+    <message>
         <source>Ctrl+C, Ctrl+V</source>
         <translation>Strg+C, Strg+V</translation>
     </message>
@@ -8873,6 +8941,10 @@
     <message>
         <source>Cut a model of the stock with all operations and compare it with the part (F6)</source>
         <translation>Ein Modell des Rohteils mit allen Operationen fräsen und mit dem Teil vergleichen (F6)</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>An einer Ebene schneiden</translation>
     </message>
     <message>
         <source>Cut by the rework tool; uncheck to leave it out</source>
@@ -8905,6 +8977,10 @@
     <message>
         <source>Cylinder</source>
         <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Decimate</source>
+        <translation>Ausdünnen</translation>
     </message>
     <message>
         <source>Deeper gouges than this have the last red</source>
@@ -8977,6 +9053,10 @@
     <message>
         <source>Double click, F</source>
         <translation>Doppelklick, F</translation>
+    </message>
+    <message>
+        <source>Doubled facets</source>
+        <translation>Doppelte Facetten</translation>
     </message>
     <message>
         <source>Down</source>
@@ -9061,6 +9141,18 @@
     <message>
         <source>Edges</source>
         <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Edges along which two facets face opposite sides</source>
+        <translation>Kanten, an denen zwei Facetten nach verschiedenen Seiten zeigen</translation>
+    </message>
+    <message>
+        <source>Edges of one facet</source>
+        <translation>Kanten einer einzigen Facette</translation>
+    </message>
+    <message>
+        <source>Edges of three facets and more</source>
+        <translation>Kanten von drei Facetten und mehr</translation>
     </message>
     <message>
         <source>Edit %1</source>
@@ -9271,8 +9363,16 @@
         <translation>Facetten</translation>
     </message>
     <message>
+        <source>Facets so low that their direction is noise</source>
+        <translation>Facetten, so niedrig, dass ihre Richtung Rauschen ist</translation>
+    </message>
+    <message>
         <source>Facets that are out come in, those that are in go out</source>
         <translation>Facetten außerhalb kommen hinein, die darin kommen heraus</translation>
+    </message>
+    <message>
+        <source>Facets with the corners of another one</source>
+        <translation>Facetten mit den Ecken einer anderen</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -9335,6 +9435,22 @@
         <translation>Einheit der Datei</translation>
     </message>
     <message>
+        <source>Fill &amp;flat</source>
+        <translation>&amp;Flach füllen</translation>
+    </message>
+    <message>
+        <source>Fill &amp;smooth</source>
+        <translation>&amp;Glatt füllen</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Fills one hole as you choose, or leaves it open; other steps fill the rest.</source>
+        <translation>Füllt ein Loch, wie Sie es wählen, oder lässt es offen; andere Schritte füllen die übrigen.</translation>
+    </message>
+    <message>
         <source>Find by name, shape, material or library</source>
         <translation>Nach Name, Form, Werkstoff oder Bibliothek suchen</translation>
     </message>
@@ -9349,6 +9465,10 @@
     <message>
         <source>Finding what lies in a boundary</source>
         <translation>Gesucht wird, was in einer Begrenzung liegt</translation>
+    </message>
+    <message>
+        <source>Fins</source>
+        <translation>Lappen</translation>
     </message>
     <message>
         <source>Fixture mesh</source>
@@ -9459,6 +9579,10 @@
         <translation>Der Aufspannung einen Namen geben</translation>
     </message>
     <message>
+        <source>Gives a sheet a back and walls, so that it becomes a solid.</source>
+        <translation>Gibt einer offenen Fläche eine Rückseite und Wände, so dass sie ein Körper wird.</translation>
+    </message>
+    <message>
         <source>Go to setup “%1”</source>
         <translation>Zu Aufspannung „%1“ wechseln</translation>
     </message>
@@ -9469,6 +9593,10 @@
     <message>
         <source>Goes back to the recipe of the project; nothing is changed</source>
         <translation>Zurück zum Rezept des Projekts; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>Goes on with another scan where this one ends; the two overlap.</source>
+        <translation>Setzt diesen Scan, wo er endet, mit einem anderen fort; die beiden überlappen sich.</translation>
     </message>
     <message>
         <source>Gouge</source>
@@ -9533,6 +9661,10 @@
         <translation>Halterabschnitt</translation>
     </message>
     <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
         <source>Hollow</source>
         <translation>Mulde</translation>
     </message>
@@ -9579,6 +9711,10 @@
     <message>
         <source>It was painted on a part of %1 facets, and this one has %2: paint it anew.</source>
         <translation>Sie wurde auf einem Teil mit %1 Facetten gemalt, und dieses hat %2: neu malen.</translation>
+    </message>
+    <message>
+        <source>Join a scan</source>
+        <translation>Scan anfügen</translation>
     </message>
     <message>
         <source>Keep for this point</source>
@@ -9803,6 +9939,10 @@
         <translation>Macht aus dem Teil sein Spiegelbild: links und rechts entlang %1 tauschen die Plätze. Ein so gefertigtes Teil ist ein anderes.</translation>
     </message>
     <message>
+        <source>Makes the surface anew where it runs through itself.</source>
+        <translation>Macht die Fläche neu, wo sie sich selbst durchdringt.</translation>
+    </message>
+    <message>
         <source>Making %1</source>
         <translation>%1 wird erzeugt</translation>
     </message>
@@ -9965,6 +10105,10 @@
     <message>
         <source>Name a mesh file</source>
         <translation>Eine Netzdatei angeben</translation>
+    </message>
+    <message>
+        <source>Needles</source>
+        <translation>Nadeln</translation>
     </message>
     <message>
         <source>New from sa&amp;mple</source>
@@ -10191,6 +10335,10 @@
         <translation>Ein →</translation>
     </message>
     <message>
+        <source>One hole</source>
+        <translation>Ein Loch</translation>
+    </message>
+    <message>
         <source>One motion back (,)</source>
         <translation>Eine Bewegung zurück (,)</translation>
     </message>
@@ -10225,6 +10373,10 @@
     <message>
         <source>Open a mesh, drop one here, or take a sample. STL files carry no unit: the sizes tell.</source>
         <translation>Ein Netz öffnen, hierher ziehen oder ein Beispiel nehmen. STL-Dateien haben keine Einheit: die Größen sagen sie.</translation>
+    </message>
+    <message>
+        <source>Open edges</source>
+        <translation>Offene Kanten</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -10283,6 +10435,10 @@
         <translation>Über der Toleranz %1</translation>
     </message>
     <message>
+        <source>Overfull edges</source>
+        <translation>Überzählige Kanten</translation>
+    </message>
+    <message>
         <source>P&amp;lace part…</source>
         <translation>Teil &amp;legen…</translation>
     </message>
@@ -10325,6 +10481,10 @@
     <message>
         <source>Painted facets</source>
         <translation>Gemalte Facetten</translation>
+    </message>
+    <message>
+        <source>Pairs of facets that run through each other</source>
+        <translation>Paare von Facetten, die sich durchdringen</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -10405,6 +10565,10 @@
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
     </message>
     <message>
         <source>Place along the strip</source>
@@ -10923,6 +11087,10 @@
         <translation>Schalen</translation>
     </message>
     <message>
+        <source>Shells: facets that are joined by edges. A click goes to one.</source>
+        <translation>Hüllen: Facetten, die durch Kanten verbunden sind. Ein Klick geht zu einer.</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
@@ -11007,12 +11175,20 @@
         <translation>Neigung</translation>
     </message>
     <message>
+        <source>Small pieces</source>
+        <translation>Kleine Stücke</translation>
+    </message>
+    <message>
         <source>Smaller letters (Ctrl+−)</source>
         <translation>Kleinere Schrift (Strg+−)</translation>
     </message>
     <message>
         <source>Smallest stock</source>
         <translation>Kleinstes Rohteil</translation>
+    </message>
+    <message>
+        <source>Smooth noise</source>
+        <translation>Rauschen glätten</translation>
     </message>
     <message>
         <source>SolidWorks</source>
@@ -11213,6 +11389,30 @@
         <translation>Werkzeuge von FreeCAD, Fusion, LinuxCNC, CAMotics oder Kiri:Moto übernehmen</translation>
     </message>
     <message>
+        <source>Takes away what lies beyond a plane and closes the section.</source>
+        <translation>Entfernt, was jenseits einer Ebene liegt, und schließt den Schnitt.</translation>
+    </message>
+    <message>
+        <source>Takes facets away that say nothing, within the bound.</source>
+        <translation>Entfernt Facetten, die nichts besagen, innerhalb der Grenze.</translation>
+    </message>
+    <message>
+        <source>Takes facets without height away; nothing moves farther than the bound.</source>
+        <translation>Entfernt Facetten ohne Höhe; nichts bewegt sich weiter als die Grenze.</translation>
+    </message>
+    <message>
+        <source>Takes loose pieces away that are smaller than a limit.</source>
+        <translation>Entfernt lose Stücke, die kleiner als eine Grenze sind.</translation>
+    </message>
+    <message>
+        <source>Takes sheets away that hang on the surface and end in the open.</source>
+        <translation>Entfernt Flächen, die an der Oberfläche hängen und im Freien enden.</translation>
+    </message>
+    <message>
+        <source>Takes short waves away; nothing moves farther than the bound, sharp edges stay.</source>
+        <translation>Entfernt kurze Wellen; nichts bewegt sich weiter als die Grenze, scharfe Kanten bleiben.</translation>
+    </message>
+    <message>
         <source>Takes the stock down layer by layer, and leaves an allowance</source>
         <translation>Nimmt das Rohteil Ebene für Ebene ab und lässt ein Aufmaß</translation>
     </message>
@@ -11307,6 +11507,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The manual is in English.</source>
         <translation>Das Handbuch ist auf Englisch.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
+        <translation>Das Netz hat %1. Es wird bearbeitet, wie es ist; im Scan-Raum wird es bearbeitungswürdig.</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
@@ -11531,6 +11735,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
 %1</translation>
     </message>
     <message>
+        <source>Thicken a sheet</source>
+        <translation>Fläche verdicken</translation>
+    </message>
+    <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
         <translation>Das ist mehr Arbeit als üblich: eine Toleranz oder ein Bahnabstand ist vielleicht zu klein.</translation>
     </message>
@@ -11655,6 +11863,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Abwägung</translation>
     </message>
     <message>
+        <source>Triangles of the mesh</source>
+        <translation>Dreiecke des Netzes</translation>
+    </message>
+    <message>
         <source>Tried: </source>
         <translation>Probiert: </translation>
     </message>
@@ -11681,6 +11893,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Turn by 90°</source>
         <translation>Um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Turn facets</source>
+        <translation>Facetten wenden</translation>
     </message>
     <message>
         <source>Turn part</source>
@@ -11721,6 +11937,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Turns are by the right hand about the middle of the part's box. Rings and arrows in the view do the same by the mouse, with Shift in round steps. Scaling keeps that and the lowest point; cutters and tolerances stay as they are.</source>
         <translation>Drehungen erfolgen nach der rechten Hand um die Mitte des Quaders. Ringe und Pfeile in der Ansicht tun dasselbe mit der Maus, mit Umschalt in runden Schritten. Skalieren behält sie und den tiefsten Punkt; Fräser und Toleranzen bleiben.</translation>
+    </message>
+    <message>
+        <source>Turns facets to agree with their neighbours and shells outward; doubles go.</source>
+        <translation>Wendet Facetten wie ihre Nachbarn und Hüllen nach außen; doppelte gehen.</translation>
     </message>
     <message>
         <source>Turns the part about Z until its box is smallest, the longer side along X</source>
@@ -11935,6 +12155,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was das Rezept daraus macht; bei einzelnen Löchern und Stücken, was aus ihnen wird</translation>
     </message>
     <message>
+        <source>What the steps for all holes say of its size</source>
+        <translation>Was die Schritte für alle Löcher zu seiner Größe sagen</translation>
+    </message>
+    <message>
         <source>What the view shows</source>
         <translation>Was die Ansicht zeigt</translation>
     </message>
@@ -12091,6 +12315,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>jedes Mal fragen</translation>
     </message>
     <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
         <source>below %1: %2</source>
         <translation>unter %1: %2</translation>
     </message>
@@ -12119,6 +12347,22 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>eine Operation im Baum kopieren, hier oder in einem anderen Projekt einfügen</translation>
     </message>
     <message>
+        <source>crossing found</source>
+        <translation>Durchdringung gefunden</translation>
+    </message>
+    <message>
+        <source>crossing left</source>
+        <translation>Durchdringung bleibt</translation>
+    </message>
+    <message>
+        <source>crossings found</source>
+        <translation>Durchdringungen gefunden</translation>
+    </message>
+    <message>
+        <source>crossings left</source>
+        <translation>Durchdringungen bleiben</translation>
+    </message>
+    <message>
         <source>curvature matched (CM²)</source>
         <translation>krümmungsgleich (CM²)</translation>
     </message>
@@ -12131,16 +12375,56 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Abweichung</translation>
     </message>
     <message>
+        <source>doubled facet gone</source>
+        <translation>doppelte Facette entfernt</translation>
+    </message>
+    <message>
+        <source>doubled facets gone</source>
+        <translation>doppelte Facetten entfernt</translation>
+    </message>
+    <message>
+        <source>edge gone</source>
+        <translation>Kante entfernt</translation>
+    </message>
+    <message>
+        <source>edge still against its neighbour</source>
+        <translation>Kante noch gegen ihren Nachbarn</translation>
+    </message>
+    <message>
+        <source>edge turned</source>
+        <translation>Kante gedreht</translation>
+    </message>
+    <message>
         <source>edges between facets of opposite winding</source>
         <translation>Kanten zwischen Facetten entgegengesetzten Umlaufs</translation>
+    </message>
+    <message>
+        <source>edges gone</source>
+        <translation>Kanten entfernt</translation>
     </message>
     <message>
         <source>edges of more than two facets</source>
         <translation>Kanten von mehr als zwei Facetten</translation>
     </message>
     <message>
+        <source>edges still against their neighbours</source>
+        <translation>Kanten noch gegen ihre Nachbarn</translation>
+    </message>
+    <message>
+        <source>edges turned</source>
+        <translation>Kanten gedreht</translation>
+    </message>
+    <message>
         <source>edit the selected tool or the parameters of the selection</source>
         <translation>das gewählte Werkzeug oder die Parameter der Auswahl bearbeiten</translation>
+    </message>
+    <message>
+        <source>end of a sheet</source>
+        <translation>Ende einer Fläche</translation>
+    </message>
+    <message>
+        <source>ends of sheets</source>
+        <translation>Enden von Flächen</translation>
     </message>
     <message>
         <source>enter a number</source>
@@ -12167,8 +12451,108 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Flächen %1</translation>
     </message>
     <message>
+        <source>facet added</source>
+        <translation>Facette hinzugefügt</translation>
+    </message>
+    <message>
+        <source>facet divided</source>
+        <translation>Facette geteilt</translation>
+    </message>
+    <message>
+        <source>facet gone</source>
+        <translation>Facette entfernt</translation>
+    </message>
+    <message>
+        <source>facet gone where both lie</source>
+        <translation>Facette entfernt, wo beide liegen</translation>
+    </message>
+    <message>
+        <source>facet in the section</source>
+        <translation>Facette im Schnitt</translation>
+    </message>
+    <message>
+        <source>facet joined on</source>
+        <translation>Facette angefügt</translation>
+    </message>
+    <message>
+        <source>facet left out: more than two on an edge</source>
+        <translation>Facette ausgelassen: mehr als zwei an einer Kante</translation>
+    </message>
+    <message>
+        <source>facet made anew</source>
+        <translation>Facette neu gemacht</translation>
+    </message>
+    <message>
+        <source>facet of the back</source>
+        <translation>Facette der Rückseite</translation>
+    </message>
+    <message>
+        <source>facet of the seam</source>
+        <translation>Facette der Naht</translation>
+    </message>
+    <message>
+        <source>facet of walls</source>
+        <translation>Facette der Wände</translation>
+    </message>
+    <message>
+        <source>facet turned</source>
+        <translation>Facette gewendet</translation>
+    </message>
+    <message>
+        <source>facets added</source>
+        <translation>Facetten hinzugefügt</translation>
+    </message>
+    <message>
+        <source>facets divided</source>
+        <translation>Facetten geteilt</translation>
+    </message>
+    <message>
+        <source>facets gone</source>
+        <translation>Facetten entfernt</translation>
+    </message>
+    <message>
+        <source>facets gone where both lie</source>
+        <translation>Facetten entfernt, wo beide liegen</translation>
+    </message>
+    <message>
+        <source>facets in the section</source>
+        <translation>Facetten im Schnitt</translation>
+    </message>
+    <message>
+        <source>facets joined on</source>
+        <translation>Facetten angefügt</translation>
+    </message>
+    <message>
+        <source>facets left out: more than two on an edge</source>
+        <translation>Facetten ausgelassen: mehr als zwei an einer Kante</translation>
+    </message>
+    <message>
+        <source>facets made anew</source>
+        <translation>Facetten neu gemacht</translation>
+    </message>
+    <message>
+        <source>facets of the back</source>
+        <translation>Facetten der Rückseite</translation>
+    </message>
+    <message>
+        <source>facets of the seam</source>
+        <translation>Facetten der Naht</translation>
+    </message>
+    <message>
+        <source>facets of walls</source>
+        <translation>Facetten der Wände</translation>
+    </message>
+    <message>
+        <source>facets that face the wrong side</source>
+        <translation>Facetten, die zur falschen Seite zeigen</translation>
+    </message>
+    <message>
         <source>facets that occur twice, kept</source>
         <translation>doppelt vorhandene Facetten, behalten</translation>
+    </message>
+    <message>
+        <source>facets turned</source>
+        <translation>Facetten gewendet</translation>
     </message>
     <message>
         <source>facets without area, left out</source>
@@ -12181,6 +12565,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>fit</source>
         <translation>einpassen</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flach</translation>
     </message>
     <message>
         <source>from the tolerance</source>
@@ -12207,6 +12595,42 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Loch</translation>
     </message>
     <message>
+        <source>hole filled</source>
+        <translation>Loch gefüllt</translation>
+    </message>
+    <message>
+        <source>hole left as asked</source>
+        <translation>Loch wie gewünscht offen</translation>
+    </message>
+    <message>
+        <source>hole left that no patch fits</source>
+        <translation>Loch bleibt, in das kein Flicken passt</translation>
+    </message>
+    <message>
+        <source>hole that is not there</source>
+        <translation>Loch, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>holes filled</source>
+        <translation>Löcher gefüllt</translation>
+    </message>
+    <message>
+        <source>holes left as asked</source>
+        <translation>Löcher wie gewünscht offen</translation>
+    </message>
+    <message>
+        <source>holes left that no patch fits</source>
+        <translation>Löcher bleiben, in die kein Flicken passt</translation>
+    </message>
+    <message>
+        <source>holes that are not there</source>
+        <translation>Löcher, die es nicht gibt</translation>
+    </message>
+    <message>
         <source>into the panels: project, parameters, report and so on</source>
         <translation>in die Fenster: Projekt, Parameter, Bericht und so weiter</translation>
     </message>
@@ -12217,6 +12641,22 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>keeps Z upright</source>
         <translation>hält Z aufrecht</translation>
+    </message>
+    <message>
+        <source>larger hole left</source>
+        <translation>größeres Loch bleibt</translation>
+    </message>
+    <message>
+        <source>larger holes left</source>
+        <translation>größere Löcher bleiben</translation>
+    </message>
+    <message>
+        <source>larger place left</source>
+        <translation>größere Stelle bleibt</translation>
+    </message>
+    <message>
+        <source>larger places left</source>
+        <translation>größere Stellen bleiben</translation>
     </message>
     <message>
         <source>lead %1, yaw %2</source>
@@ -12235,6 +12675,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>links ziehen: malen (Umschalt: radieren); Strg + links ziehen: drehen; Esc: beenden</translation>
     </message>
     <message>
+        <source>left open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
         <source>left to clean-up</source>
         <translation>der Restbearbeitung überlassen</translation>
     </message>
@@ -12249,6 +12693,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>limits</source>
         <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>loose pieces</source>
+        <translation>lose Stücke</translation>
     </message>
     <message>
         <source>low</source>
@@ -12273,6 +12721,18 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>min</source>
         <translation>min</translation>
+    </message>
+    <message>
+        <source>moved at most %1</source>
+        <translation>höchstens %1 bewegt</translation>
+    </message>
+    <message>
+        <source>needle left</source>
+        <translation>Nadel bleibt</translation>
+    </message>
+    <message>
+        <source>needles left</source>
+        <translation>Nadeln bleiben</translation>
     </message>
     <message>
         <source>no</source>
@@ -12301,6 +12761,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>nothing is entered</source>
         <translation>nichts ist eingegeben</translation>
+    </message>
+    <message>
+        <source>nothing moved</source>
+        <translation>nichts bewegt</translation>
+    </message>
+    <message>
+        <source>nothing to do</source>
+        <translation>nichts zu tun</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -12355,6 +12823,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Teil</translation>
     </message>
     <message>
+        <source>piece gone</source>
+        <translation>Stück entfernt</translation>
+    </message>
+    <message>
+        <source>pieces gone</source>
+        <translation>Stücke entfernt</translation>
+    </message>
+    <message>
         <source>plan</source>
         <translation>planen</translation>
     </message>
@@ -12387,12 +12863,32 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>s</translation>
     </message>
     <message>
+        <source>seam left open</source>
+        <translation>Naht bleibt offen</translation>
+    </message>
+    <message>
+        <source>seams left open</source>
+        <translation>Nähte bleiben offen</translation>
+    </message>
+    <message>
+        <source>section left open</source>
+        <translation>Schnitt bleibt offen</translation>
+    </message>
+    <message>
+        <source>sections left open</source>
+        <translation>Schnitte bleiben offen</translation>
+    </message>
+    <message>
         <source>see what belongs to: prepare, plan, verify, simulate</source>
         <translation>sehen, was dazugehört: vorbereiten, planen, prüfen, simulieren</translation>
     </message>
     <message>
         <source>show the tool there; ← and → step along the path (Shift: by ten)</source>
         <translation>das Werkzeug dort zeigen; ← und → gehen am Weg entlang (Umschalt: zehn)</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glatt</translation>
     </message>
     <message>
         <source>stays</source>
@@ -12463,6 +12959,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>unbenannt</translation>
     </message>
     <message>
+        <source>up to Ø %1</source>
+        <translation>bis Ø %1</translation>
+    </message>
+    <message>
         <source>up to “%1”</source>
         <translation>bis „%1“</translation>
     </message>
@@ -12475,8 +12975,32 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>prüfen</translation>
     </message>
     <message>
+        <source>vertex held against folds</source>
+        <translation>Ecke gegen Falten gehalten</translation>
+    </message>
+    <message>
+        <source>vertex moved</source>
+        <translation>Ecke bewegt</translation>
+    </message>
+    <message>
+        <source>vertex without a direction</source>
+        <translation>Ecke ohne Richtung</translation>
+    </message>
+    <message>
+        <source>vertices held against folds</source>
+        <translation>Ecken gegen Falten gehalten</translation>
+    </message>
+    <message>
+        <source>vertices moved</source>
+        <translation>Ecken bewegt</translation>
+    </message>
+    <message>
         <source>vertices where shells touch</source>
         <translation>Eckpunkte, an denen sich Schalen berühren</translation>
+    </message>
+    <message>
+        <source>vertices without a direction</source>
+        <translation>Ecken ohne Richtung</translation>
     </message>
     <message>
         <source>watertight</source>
@@ -12489,6 +13013,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>with the configuration space in view: points along the pass, passes</source>
         <translation>wenn der Konfigurationsraum zu sehen ist: Punkte der Bahn, Bahnen</translation>
+    </message>
+    <message>
+        <source>within %1</source>
+        <translation>innerhalb %1</translation>
     </message>
     <message>
         <source>write %1 or %2</source>

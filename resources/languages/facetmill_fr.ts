@@ -732,6 +732,10 @@
         <translation>Remplissage</translation>
     </message>
     <message>
+        <source>Filling a hole</source>
+        <translation>Remplissage d'un trou</translation>
+    </message>
+    <message>
         <source>Filling holes</source>
         <translation>Remplissage des trous</translation>
     </message>
@@ -1334,6 +1338,10 @@
     <message>
         <source>Measuring what stays</source>
         <translation>Mesure de ce qui reste</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Milieu</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -2432,8 +2440,8 @@
         <translation>Nom de l'outil dans la fiche de réglage.</translation>
     </message>
     <message>
-        <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open.</source>
-        <translation>Ce que fait l'étape : enlever de petits morceaux, orienter les facettes, enlever les aiguilles, remplir les trous, lisser le bruit, décimer, couper par un plan, épaissir une feuille, refaire où la surface se croise, joindre un autre scan, enlever les lambeaux qui pendent de la surface et finissent dans le vide.</translation>
+        <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open, fills one hole or leaves it open.</source>
+        <translation>Ce que fait l'étape : enlever de petits morceaux, orienter les facettes, enlever les aiguilles, remplir les trous, lisser le bruit, décimer, couper par un plan, épaissir une feuille, refaire où la surface se croise, joindre un autre scan, enlever les lambeaux qui pendent de la surface et finissent dans le vide, remplir un trou ou le laisser ouvert.</translation>
     </message>
     <message>
         <source>What the stock is larger than the part: on both sides in x, on both sides in y, on top in z. Round a cylinder whose diameter is `auto` the larger one of those across its axis counts.</source>
@@ -4232,12 +4240,20 @@
         <translation>contient {1} fichiers, plus de {2}</translation>
     </message>
     <message>
+        <source>hole</source>
+        <translation>trou</translation>
+    </message>
+    <message>
+        <source>hole: where the hole is: the one whose middle is nearest, no farther than half its diameter.</source>
+        <translation>trou : où est le trou : celui dont le milieu est le plus proche, pas plus loin que la moitié de son diamètre.</translation>
+    </message>
+    <message>
         <source>holes</source>
         <translation>trous</translation>
     </message>
     <message>
-        <source>holes: smooth goes on as the surface around bends; flat takes the least area.</source>
-        <translation>trous : lisse continue la courbure de la surface autour ; plat prend le moins d'aire.</translation>
+        <source>holes, hole: smooth goes on as the surface around bends; flat takes the least area. hole: left stays open whatever later steps say.</source>
+        <translation>trous, trou : lisse continue la courbure de la surface autour ; plat prend le moins d'aire. trou : ouvert reste ouvert quoi que disent les étapes suivantes.</translation>
     </message>
     <message>
         <source>in a file of version 2 every setup has its own</source>
@@ -4642,6 +4658,10 @@
     <message>
         <source>leave this operation out, or check what those before it cut</source>
         <translation>omettre cette opération, ou vérifier ce que les précédentes usinent</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>ouvert</translation>
     </message>
     <message>
         <source>left by the main path</source>
@@ -5142,6 +5162,10 @@
     <message>
         <source>oneway</source>
         <translation>sens unique</translation>
+    </message>
+    <message>
+        <source>only a step of kind hole leaves a hole open</source>
+        <translation>seule une étape du genre trou laisse un trou ouvert</translation>
     </message>
     <message>
         <source>open the file itself, under a name that ends as its format does</source>
@@ -7236,6 +7260,10 @@
         <translation>écrire un programme par opération : "programs": "each"</translation>
     </message>
     <message>
+        <source>write smooth or flat</source>
+        <translation>écrivez lisse ou plat</translation>
+    </message>
+    <message>
         <source>write the part in pieces</source>
         <translation>écrire la pièce en morceaux</translation>
     </message>
@@ -7947,6 +7975,10 @@
         <translation>&amp;Ajouter au projet</translation>
     </message>
     <message>
+        <source>&amp;As the other holes</source>
+        <translation>Comme les &amp;autres trous</translation>
+    </message>
+    <message>
         <source>&amp;Before</source>
         <translation>A&amp;vant</translation>
     </message>
@@ -8053,6 +8085,10 @@
     <message>
         <source>&amp;Language</source>
         <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>&amp;Leave open</source>
+        <translation>Laisser &amp;ouvert</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -8319,6 +8355,18 @@
         <translation>Une fiche de réglage commence par le verdict de la vérification. Vérifier d'abord (F6).</translation>
     </message>
     <message>
+        <source>A step of its own: goes on as the surface around bends</source>
+        <translation>Une étape à part : continue la courbure de la surface autour</translation>
+    </message>
+    <message>
+        <source>A step of its own: it stays open whatever the others say</source>
+        <translation>Une étape à part : il reste ouvert quoi que disent les autres</translation>
+    </message>
+    <message>
+        <source>A step of its own: takes the least area</source>
+        <translation>Une étape à part : prend le moins d'aire</translation>
+    </message>
+    <message>
         <source>A value is not valid</source>
         <translation>Une valeur n'est pas valable</translation>
     </message>
@@ -8401,6 +8449,10 @@
     <message>
         <source>After</source>
         <translation>Après</translation>
+    </message>
+    <message>
+        <source>Against neighbours</source>
+        <translation>Contre les voisines</translation>
     </message>
     <message>
         <source>Align edge with X</source>
@@ -8823,6 +8875,10 @@
         <translation>Clic : montrée dans la vue. Double-clic : pièce posée dessus.</translation>
     </message>
     <message>
+        <source>Click: shown in the view. Right click: how it is filled</source>
+        <translation>Clic : montré dans la vue. Clic droit : comment il est rempli</translation>
+    </message>
+    <message>
         <source>Click: the view goes there. Check mark: whether the strip is cut.</source>
         <translation>Clic : la vue y va. Coche : si la bande est usinée.</translation>
     </message>
@@ -8833,6 +8889,14 @@
     <message>
         <source>Closed curve</source>
         <translation>Courbe fermée</translation>
+    </message>
+    <message>
+        <source>Closed curves of open edges; the rim of an open sheet is one of them. A click goes to one.</source>
+        <translation>Courbes fermées d'arêtes ouvertes ; le bord d'une feuille ouverte en est une. Un clic va à l'une d'elles.</translation>
+    </message>
+    <message>
+        <source>Closes holes up to a diameter; nothing else changes.</source>
+        <translation>Ferme les trous jusqu'à un diamètre ; rien d'autre ne change.</translation>
     </message>
     <message>
         <source>Collisions</source>
@@ -8859,6 +8923,10 @@
         <translation>Copier</translation>
     </message>
     <message>
+        <source>Crossings</source>
+        <translation>Croisements</translation>
+    </message>
+    <message>
         <source>Ctrl+C, Ctrl+V</source>
         <translation>Ctrl+C, Ctrl+V</translation>
     </message>
@@ -8873,6 +8941,10 @@
     <message>
         <source>Cut a model of the stock with all operations and compare it with the part (F6)</source>
         <translation>Usiner un modèle du brut avec toutes les opérations et le comparer à la pièce (F6)</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Couper par un plan</translation>
     </message>
     <message>
         <source>Cut by the rework tool; uncheck to leave it out</source>
@@ -8905,6 +8977,10 @@
     <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Decimate</source>
+        <translation>Décimer</translation>
     </message>
     <message>
         <source>Deeper gouges than this have the last red</source>
@@ -8977,6 +9053,10 @@
     <message>
         <source>Double click, F</source>
         <translation>Double-clic, F</translation>
+    </message>
+    <message>
+        <source>Doubled facets</source>
+        <translation>Facettes doublées</translation>
     </message>
     <message>
         <source>Down</source>
@@ -9061,6 +9141,18 @@
     <message>
         <source>Edges</source>
         <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Edges along which two facets face opposite sides</source>
+        <translation>Arêtes le long desquelles deux facettes regardent de côtés opposés</translation>
+    </message>
+    <message>
+        <source>Edges of one facet</source>
+        <translation>Arêtes d'une seule facette</translation>
+    </message>
+    <message>
+        <source>Edges of three facets and more</source>
+        <translation>Arêtes de trois facettes et plus</translation>
     </message>
     <message>
         <source>Edit %1</source>
@@ -9271,8 +9363,16 @@
         <translation>Facettes</translation>
     </message>
     <message>
+        <source>Facets so low that their direction is noise</source>
+        <translation>Facettes si basses que leur direction n'est que du bruit</translation>
+    </message>
+    <message>
         <source>Facets that are out come in, those that are in go out</source>
         <translation>Les facettes du dehors entrent, celles du dedans sortent</translation>
+    </message>
+    <message>
+        <source>Facets with the corners of another one</source>
+        <translation>Facettes avec les coins d'une autre</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -9335,6 +9435,22 @@
         <translation>Unité du fichier</translation>
     </message>
     <message>
+        <source>Fill &amp;flat</source>
+        <translation>Remplir &amp;plat</translation>
+    </message>
+    <message>
+        <source>Fill &amp;smooth</source>
+        <translation>Remplir &amp;lisse</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Remplir les trous</translation>
+    </message>
+    <message>
+        <source>Fills one hole as you choose, or leaves it open; other steps fill the rest.</source>
+        <translation>Remplit un trou comme vous le choisissez, ou le laisse ouvert ; d'autres étapes remplissent le reste.</translation>
+    </message>
+    <message>
         <source>Find by name, shape, material or library</source>
         <translation>Chercher par nom, forme, matière ou bibliothèque</translation>
     </message>
@@ -9349,6 +9465,10 @@
     <message>
         <source>Finding what lies in a boundary</source>
         <translation>Recherche de ce qui est dans une limite</translation>
+    </message>
+    <message>
+        <source>Fins</source>
+        <translation>Lambeaux</translation>
     </message>
     <message>
         <source>Fixture mesh</source>
@@ -9459,6 +9579,10 @@
         <translation>Donner un nom au posage</translation>
     </message>
     <message>
+        <source>Gives a sheet a back and walls, so that it becomes a solid.</source>
+        <translation>Donne à une feuille un dos et des parois, pour qu'elle devienne un solide.</translation>
+    </message>
+    <message>
         <source>Go to setup “%1”</source>
         <translation>Aller au posage « %1 »</translation>
     </message>
@@ -9469,6 +9593,10 @@
     <message>
         <source>Goes back to the recipe of the project; nothing is changed</source>
         <translation>Revient à la recette du projet ; rien n'est changé</translation>
+    </message>
+    <message>
+        <source>Goes on with another scan where this one ends; the two overlap.</source>
+        <translation>Continue par un autre scan là où celui-ci finit ; les deux se recouvrent.</translation>
     </message>
     <message>
         <source>Gouge</source>
@@ -9533,6 +9661,10 @@
         <translation>Section du porte-outil</translation>
     </message>
     <message>
+        <source>Holes</source>
+        <translation>Trous</translation>
+    </message>
+    <message>
         <source>Hollow</source>
         <translation>Creux</translation>
     </message>
@@ -9579,6 +9711,10 @@
     <message>
         <source>It was painted on a part of %1 facets, and this one has %2: paint it anew.</source>
         <translation>Elle a été peinte sur une pièce de %1 facettes, celle-ci en a %2 : la repeindre.</translation>
+    </message>
+    <message>
+        <source>Join a scan</source>
+        <translation>Joindre un scan</translation>
     </message>
     <message>
         <source>Keep for this point</source>
@@ -9803,6 +9939,10 @@
         <translation>Remplace la pièce par son image en miroir : gauche et droite selon %1 s'échangent. Une pièce ainsi faite en est une autre.</translation>
     </message>
     <message>
+        <source>Makes the surface anew where it runs through itself.</source>
+        <translation>Refait la surface là où elle se traverse.</translation>
+    </message>
+    <message>
         <source>Making %1</source>
         <translation>Création de %1</translation>
     </message>
@@ -9965,6 +10105,10 @@
     <message>
         <source>Name a mesh file</source>
         <translation>Indiquer un fichier de maillage</translation>
+    </message>
+    <message>
+        <source>Needles</source>
+        <translation>Aiguilles</translation>
     </message>
     <message>
         <source>New from sa&amp;mple</source>
@@ -10191,6 +10335,10 @@
         <translation>Début →</translation>
     </message>
     <message>
+        <source>One hole</source>
+        <translation>Un trou</translation>
+    </message>
+    <message>
         <source>One motion back (,)</source>
         <translation>Un mouvement en arrière (,)</translation>
     </message>
@@ -10225,6 +10373,10 @@
     <message>
         <source>Open a mesh, drop one here, or take a sample. STL files carry no unit: the sizes tell.</source>
         <translation>Ouvrir un maillage, en déposer un ici, ou prendre un exemple. Les fichiers STL n'ont pas d'unité : les tailles la disent.</translation>
+    </message>
+    <message>
+        <source>Open edges</source>
+        <translation>Arêtes ouvertes</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -10283,6 +10435,10 @@
         <translation>Au-dessus de la tolérance %1</translation>
     </message>
     <message>
+        <source>Overfull edges</source>
+        <translation>Arêtes surchargées</translation>
+    </message>
+    <message>
         <source>P&amp;lace part…</source>
         <translation>&amp;Placer la pièce…</translation>
     </message>
@@ -10325,6 +10481,10 @@
     <message>
         <source>Painted facets</source>
         <translation>Facettes peintes</translation>
+    </message>
+    <message>
+        <source>Pairs of facets that run through each other</source>
+        <translation>Paires de facettes qui se traversent</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -10405,6 +10565,10 @@
     <message>
         <source>Pictures (*.png)</source>
         <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
     </message>
     <message>
         <source>Place along the strip</source>
@@ -10923,6 +11087,10 @@
         <translation>Coques</translation>
     </message>
     <message>
+        <source>Shells: facets that are joined by edges. A click goes to one.</source>
+        <translation>Coques : facettes jointes par des arêtes. Un clic va à l'une d'elles.</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Afficher</translation>
     </message>
@@ -11007,12 +11175,20 @@
         <translation>Pente</translation>
     </message>
     <message>
+        <source>Small pieces</source>
+        <translation>Petits morceaux</translation>
+    </message>
+    <message>
         <source>Smaller letters (Ctrl+−)</source>
         <translation>Lettres plus petites (Ctrl+−)</translation>
     </message>
     <message>
         <source>Smallest stock</source>
         <translation>Brut le plus petit</translation>
+    </message>
+    <message>
+        <source>Smooth noise</source>
+        <translation>Lisser le bruit</translation>
     </message>
     <message>
         <source>SolidWorks</source>
@@ -11213,6 +11389,30 @@
         <translation>Reprendre les outils de FreeCAD, Fusion, LinuxCNC, CAMotics ou Kiri:Moto</translation>
     </message>
     <message>
+        <source>Takes away what lies beyond a plane and closes the section.</source>
+        <translation>Enlève ce qui est au-delà d'un plan et ferme la section.</translation>
+    </message>
+    <message>
+        <source>Takes facets away that say nothing, within the bound.</source>
+        <translation>Enlève les facettes qui ne disent rien, dans la limite.</translation>
+    </message>
+    <message>
+        <source>Takes facets without height away; nothing moves farther than the bound.</source>
+        <translation>Enlève les facettes sans hauteur ; rien ne bouge plus que la limite.</translation>
+    </message>
+    <message>
+        <source>Takes loose pieces away that are smaller than a limit.</source>
+        <translation>Enlève les morceaux détachés plus petits qu'une limite.</translation>
+    </message>
+    <message>
+        <source>Takes sheets away that hang on the surface and end in the open.</source>
+        <translation>Enlève les feuilles qui pendent de la surface et finissent dans le vide.</translation>
+    </message>
+    <message>
+        <source>Takes short waves away; nothing moves farther than the bound, sharp edges stay.</source>
+        <translation>Enlève les ondes courtes ; rien ne bouge plus que la limite, les arêtes vives restent.</translation>
+    </message>
+    <message>
         <source>Takes the stock down layer by layer, and leaves an allowance</source>
         <translation>Enlève le brut niveau par niveau, et laisse une surépaisseur</translation>
     </message>
@@ -11307,6 +11507,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The manual is in English.</source>
         <translation>Le manuel est en anglais.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
+        <translation>Le maillage a %1. Il est usiné tel quel ; la salle des scans le rend digne d'être usiné.</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
@@ -11531,6 +11735,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
 %1</translation>
     </message>
     <message>
+        <source>Thicken a sheet</source>
+        <translation>Épaissir une feuille</translation>
+    </message>
+    <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
         <translation>C'est plus de travail que d'habitude : une tolérance ou un pas latéral est peut-être trop petit.</translation>
     </message>
@@ -11655,6 +11863,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Compromis</translation>
     </message>
     <message>
+        <source>Triangles of the mesh</source>
+        <translation>Triangles du maillage</translation>
+    </message>
+    <message>
         <source>Tried: </source>
         <translation>Essayé : </translation>
     </message>
@@ -11681,6 +11893,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Turn by 90°</source>
         <translation>Tourner de 90°</translation>
+    </message>
+    <message>
+        <source>Turn facets</source>
+        <translation>Orienter les facettes</translation>
     </message>
     <message>
         <source>Turn part</source>
@@ -11721,6 +11937,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Turns are by the right hand about the middle of the part's box. Rings and arrows in the view do the same by the mouse, with Shift in round steps. Scaling keeps that and the lowest point; cutters and tolerances stay as they are.</source>
         <translation>Les rotations suivent la main droite autour du milieu de la boîte de la pièce. Anneaux et flèches dans la vue font de même à la souris, avec Maj par pas ronds. L'échelle garde ce milieu et le point le plus bas ; fraises et tolérances ne changent pas.</translation>
+    </message>
+    <message>
+        <source>Turns facets to agree with their neighbours and shells outward; doubles go.</source>
+        <translation>Oriente les facettes comme leurs voisines et les coques vers l'extérieur ; les doubles partent.</translation>
     </message>
     <message>
         <source>Turns the part about Z until its box is smallest, the longer side along X</source>
@@ -11935,6 +12155,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce que la recette en fait ; pour chaque trou et morceau ce qu'il devient</translation>
     </message>
     <message>
+        <source>What the steps for all holes say of its size</source>
+        <translation>Ce que les étapes pour tous les trous disent de sa taille</translation>
+    </message>
+    <message>
         <source>What the view shows</source>
         <translation>Ce que montre la vue</translation>
     </message>
@@ -12091,6 +12315,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>demander chaque fois</translation>
     </message>
     <message>
+        <source>below %1</source>
+        <translation>moins de %1</translation>
+    </message>
+    <message>
         <source>below %1: %2</source>
         <translation>en dessous de %1 : %2</translation>
     </message>
@@ -12119,6 +12347,22 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>copier une opération dans l'arbre, la coller ici ou dans un autre projet</translation>
     </message>
     <message>
+        <source>crossing found</source>
+        <translation>croisement trouvé</translation>
+    </message>
+    <message>
+        <source>crossing left</source>
+        <translation>croisement restant</translation>
+    </message>
+    <message>
+        <source>crossings found</source>
+        <translation>croisements trouvés</translation>
+    </message>
+    <message>
+        <source>crossings left</source>
+        <translation>croisements restants</translation>
+    </message>
+    <message>
         <source>curvature matched (CM²)</source>
         <translation>à courbure ajustée (CM²)</translation>
     </message>
@@ -12131,16 +12375,56 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>écart</translation>
     </message>
     <message>
+        <source>doubled facet gone</source>
+        <translation>facette doublée enlevée</translation>
+    </message>
+    <message>
+        <source>doubled facets gone</source>
+        <translation>facettes doublées enlevées</translation>
+    </message>
+    <message>
+        <source>edge gone</source>
+        <translation>arête enlevée</translation>
+    </message>
+    <message>
+        <source>edge still against its neighbour</source>
+        <translation>arête encore contre sa voisine</translation>
+    </message>
+    <message>
+        <source>edge turned</source>
+        <translation>arête tournée</translation>
+    </message>
+    <message>
         <source>edges between facets of opposite winding</source>
         <translation>arêtes entre facettes de sens opposés</translation>
+    </message>
+    <message>
+        <source>edges gone</source>
+        <translation>arêtes enlevées</translation>
     </message>
     <message>
         <source>edges of more than two facets</source>
         <translation>arêtes de plus de deux facettes</translation>
     </message>
     <message>
+        <source>edges still against their neighbours</source>
+        <translation>arêtes encore contre leurs voisines</translation>
+    </message>
+    <message>
+        <source>edges turned</source>
+        <translation>arêtes tournées</translation>
+    </message>
+    <message>
         <source>edit the selected tool or the parameters of the selection</source>
         <translation>modifier l'outil choisi ou les paramètres de la sélection</translation>
+    </message>
+    <message>
+        <source>end of a sheet</source>
+        <translation>fin d'une feuille</translation>
+    </message>
+    <message>
+        <source>ends of sheets</source>
+        <translation>fins de feuilles</translation>
     </message>
     <message>
         <source>enter a number</source>
@@ -12167,8 +12451,108 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>faces %1</translation>
     </message>
     <message>
+        <source>facet added</source>
+        <translation>facette ajoutée</translation>
+    </message>
+    <message>
+        <source>facet divided</source>
+        <translation>facette divisée</translation>
+    </message>
+    <message>
+        <source>facet gone</source>
+        <translation>facette enlevée</translation>
+    </message>
+    <message>
+        <source>facet gone where both lie</source>
+        <translation>facette enlevée où les deux se trouvent</translation>
+    </message>
+    <message>
+        <source>facet in the section</source>
+        <translation>facette dans la section</translation>
+    </message>
+    <message>
+        <source>facet joined on</source>
+        <translation>facette jointe</translation>
+    </message>
+    <message>
+        <source>facet left out: more than two on an edge</source>
+        <translation>facette laissée de côté : plus de deux sur une arête</translation>
+    </message>
+    <message>
+        <source>facet made anew</source>
+        <translation>facette refaite</translation>
+    </message>
+    <message>
+        <source>facet of the back</source>
+        <translation>facette du dos</translation>
+    </message>
+    <message>
+        <source>facet of the seam</source>
+        <translation>facette de la couture</translation>
+    </message>
+    <message>
+        <source>facet of walls</source>
+        <translation>facette des parois</translation>
+    </message>
+    <message>
+        <source>facet turned</source>
+        <translation>facette tournée</translation>
+    </message>
+    <message>
+        <source>facets added</source>
+        <translation>facettes ajoutées</translation>
+    </message>
+    <message>
+        <source>facets divided</source>
+        <translation>facettes divisées</translation>
+    </message>
+    <message>
+        <source>facets gone</source>
+        <translation>facettes enlevées</translation>
+    </message>
+    <message>
+        <source>facets gone where both lie</source>
+        <translation>facettes enlevées où les deux se trouvent</translation>
+    </message>
+    <message>
+        <source>facets in the section</source>
+        <translation>facettes dans la section</translation>
+    </message>
+    <message>
+        <source>facets joined on</source>
+        <translation>facettes jointes</translation>
+    </message>
+    <message>
+        <source>facets left out: more than two on an edge</source>
+        <translation>facettes laissées de côté : plus de deux sur une arête</translation>
+    </message>
+    <message>
+        <source>facets made anew</source>
+        <translation>facettes refaites</translation>
+    </message>
+    <message>
+        <source>facets of the back</source>
+        <translation>facettes du dos</translation>
+    </message>
+    <message>
+        <source>facets of the seam</source>
+        <translation>facettes de la couture</translation>
+    </message>
+    <message>
+        <source>facets of walls</source>
+        <translation>facettes des parois</translation>
+    </message>
+    <message>
+        <source>facets that face the wrong side</source>
+        <translation>des facettes tournées du mauvais côté</translation>
+    </message>
+    <message>
         <source>facets that occur twice, kept</source>
         <translation>facettes en double, gardées</translation>
+    </message>
+    <message>
+        <source>facets turned</source>
+        <translation>facettes tournées</translation>
     </message>
     <message>
         <source>facets without area, left out</source>
@@ -12181,6 +12565,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>fit</source>
         <translation>cadrer</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>plat</translation>
     </message>
     <message>
         <source>from the tolerance</source>
@@ -12207,6 +12595,42 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>trou</translation>
     </message>
     <message>
+        <source>hole filled</source>
+        <translation>trou rempli</translation>
+    </message>
+    <message>
+        <source>hole left as asked</source>
+        <translation>trou laissé comme demandé</translation>
+    </message>
+    <message>
+        <source>hole left that no patch fits</source>
+        <translation>trou restant auquel aucune pièce ne va</translation>
+    </message>
+    <message>
+        <source>hole that is not there</source>
+        <translation>trou qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>des trous</translation>
+    </message>
+    <message>
+        <source>holes filled</source>
+        <translation>trous remplis</translation>
+    </message>
+    <message>
+        <source>holes left as asked</source>
+        <translation>trous laissés comme demandé</translation>
+    </message>
+    <message>
+        <source>holes left that no patch fits</source>
+        <translation>trous restants auxquels aucune pièce ne va</translation>
+    </message>
+    <message>
+        <source>holes that are not there</source>
+        <translation>trous qui n'existent pas</translation>
+    </message>
+    <message>
         <source>into the panels: project, parameters, report and so on</source>
         <translation>dans les panneaux : projet, paramètres, rapport, etc.</translation>
     </message>
@@ -12217,6 +12641,22 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>keeps Z upright</source>
         <translation>garde Z vertical</translation>
+    </message>
+    <message>
+        <source>larger hole left</source>
+        <translation>trou plus grand restant</translation>
+    </message>
+    <message>
+        <source>larger holes left</source>
+        <translation>trous plus grands restants</translation>
+    </message>
+    <message>
+        <source>larger place left</source>
+        <translation>endroit plus grand restant</translation>
+    </message>
+    <message>
+        <source>larger places left</source>
+        <translation>endroits plus grands restants</translation>
     </message>
     <message>
         <source>lead %1, yaw %2</source>
@@ -12235,6 +12675,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>tirer à gauche : peindre (Maj : effacer) ; Ctrl + tirer à gauche : tourner ; Échap : terminer</translation>
     </message>
     <message>
+        <source>left open</source>
+        <translation>ouvert</translation>
+    </message>
+    <message>
         <source>left to clean-up</source>
         <translation>laissé au nettoyage</translation>
     </message>
@@ -12249,6 +12693,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>limits</source>
         <translation>limites</translation>
+    </message>
+    <message>
+        <source>loose pieces</source>
+        <translation>des morceaux détachés</translation>
     </message>
     <message>
         <source>low</source>
@@ -12273,6 +12721,18 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>min</source>
         <translation>min</translation>
+    </message>
+    <message>
+        <source>moved at most %1</source>
+        <translation>déplacé de %1 au plus</translation>
+    </message>
+    <message>
+        <source>needle left</source>
+        <translation>aiguille restante</translation>
+    </message>
+    <message>
+        <source>needles left</source>
+        <translation>aiguilles restantes</translation>
     </message>
     <message>
         <source>no</source>
@@ -12301,6 +12761,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>nothing is entered</source>
         <translation>rien n'est entré</translation>
+    </message>
+    <message>
+        <source>nothing moved</source>
+        <translation>rien n'a bougé</translation>
+    </message>
+    <message>
+        <source>nothing to do</source>
+        <translation>rien à faire</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -12355,6 +12823,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>pièce</translation>
     </message>
     <message>
+        <source>piece gone</source>
+        <translation>morceau enlevé</translation>
+    </message>
+    <message>
+        <source>pieces gone</source>
+        <translation>morceaux enlevés</translation>
+    </message>
+    <message>
         <source>plan</source>
         <translation>planifier</translation>
     </message>
@@ -12387,12 +12863,32 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>s</translation>
     </message>
     <message>
+        <source>seam left open</source>
+        <translation>couture restée ouverte</translation>
+    </message>
+    <message>
+        <source>seams left open</source>
+        <translation>coutures restées ouvertes</translation>
+    </message>
+    <message>
+        <source>section left open</source>
+        <translation>section restée ouverte</translation>
+    </message>
+    <message>
+        <source>sections left open</source>
+        <translation>sections restées ouvertes</translation>
+    </message>
+    <message>
         <source>see what belongs to: prepare, plan, verify, simulate</source>
         <translation>voir ce qui s'y rapporte : préparer, planifier, vérifier, simuler</translation>
     </message>
     <message>
         <source>show the tool there; ← and → step along the path (Shift: by ten)</source>
         <translation>y montrer l'outil ; ← et → avancent le long du parcours (Maj : par dix)</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>lisse</translation>
     </message>
     <message>
         <source>stays</source>
@@ -12463,6 +12959,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>sans nom</translation>
     </message>
     <message>
+        <source>up to Ø %1</source>
+        <translation>jusqu'à Ø %1</translation>
+    </message>
+    <message>
         <source>up to “%1”</source>
         <translation>jusqu'à « %1 »</translation>
     </message>
@@ -12475,8 +12975,32 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>vérifier</translation>
     </message>
     <message>
+        <source>vertex held against folds</source>
+        <translation>sommet retenu contre les plis</translation>
+    </message>
+    <message>
+        <source>vertex moved</source>
+        <translation>sommet déplacé</translation>
+    </message>
+    <message>
+        <source>vertex without a direction</source>
+        <translation>sommet sans direction</translation>
+    </message>
+    <message>
+        <source>vertices held against folds</source>
+        <translation>sommets retenus contre les plis</translation>
+    </message>
+    <message>
+        <source>vertices moved</source>
+        <translation>sommets déplacés</translation>
+    </message>
+    <message>
         <source>vertices where shells touch</source>
         <translation>sommets où des coques se touchent</translation>
+    </message>
+    <message>
+        <source>vertices without a direction</source>
+        <translation>sommets sans direction</translation>
     </message>
     <message>
         <source>watertight</source>
@@ -12489,6 +13013,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>with the configuration space in view: points along the pass, passes</source>
         <translation>quand l'espace des configurations est visible : points de la passe, passes</translation>
+    </message>
+    <message>
+        <source>within %1</source>
+        <translation>dans %1</translation>
     </message>
     <message>
         <source>write %1 or %2</source>
