@@ -78,7 +78,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
     connect(picker, &PointPicker::picking_begun, measure_, &MeasureController::leave);
     connect(place_, &PlaceController::picking_begun, measure_, &MeasureController::leave);
     connect(boundaries, &BoundaryController::painting_begun, measure_, &MeasureController::leave);
-    scan_ = new ScanController(p.document, p.viewport, window);
+    scan_ = new ScanController(p.document, p.planner->meshes(), p.viewport, window);
     p.tree.tree()->addAction(scan_->open_action());
     connect(p.properties.repair_button(), &RepairButton::clicked, scan_, &ScanController::open);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may

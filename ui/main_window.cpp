@@ -125,7 +125,7 @@ void MainWindow::build_parts() {
     tree_ = new ProjectTree(document_, this);
     properties_ = new PropertiesPanel(document_, this);
     report_ = new ReportView(document_, this);
-    const auto planners = std::make_shared<SetupPlanners>();
+    const auto planners = std::make_shared<SetupPlanners>(planner_->meshes());
     controllers_ = new Controllers({document_, job_, planner_, planners, *viewport_, *layers_, *tree_,
                                     *properties_, *status_, *messages_},
                                    this);

@@ -2,6 +2,7 @@
 
 #include "core/job/placed_mesh.h"
 #include "core/job/project_inputs.h"
+#include "ui/hole_choice.h"
 #include "ui/scan_rows.h"
 #include "ui/scan_view.h"
 #include "ui/scan_words.h"
@@ -36,8 +37,9 @@ NamedLengths lengths_of(const Vec3& size) {
 
 } // namespace
 
-ScanController::ScanController(Document& document, Viewport& viewport, QWidget* window)
-    : Controller(window), document_(document), panel_(new ScanPanel(window)),
+ScanController::ScanController(Document& document, std::shared_ptr<KnownMeshes> meshes, Viewport& viewport,
+                               QWidget* window)
+    : Controller(window), document_(document), meshes_(std::move(meshes)), panel_(new ScanPanel(window)),
       view_(new ScanView(viewport, this)) {
     open_action_ = new QAction(tr("Scan room…"), this);
     open_action_->setData(QLatin1String(part_action));
@@ -60,6 +62,9 @@ void ScanController::connect_panel() {
     connect(panel_, &ScanPanel::stop_wanted, &job_, &BackgroundJob::cancel);
     connect(panel_, &ScanPanel::apply_wanted, this, &ScanController::apply);
     connect(panel_, &ScanPanel::part_chosen, view_, &ScanView::go_to);
+    offer_hole_choices(
+        *panel_, [this] { return scan_ && !job_.running() ? &scan_->survey.holes.holes : nullptr; }, draft_,
+        [this](const std::vector<RepairStep>& recipe) { change(recipe, std::nullopt); });
     connect(panel_, &ScanPanel::step_chosen, this, [this] {
         chosen_ = panel_->chosen();
         show_steps();
@@ -194,7 +199,9 @@ void ScanController::survey() {
     auto scan = std::make_shared<ScannedMeshPtr>();
     read_.start(
         tr("Looking over the part"),
-        [scan, project = document_.project()](const Progress& p) { *scan = read_scan(project, p); },
+        [scan, project = document_.project(), meshes = meshes_](const Progress& p) {
+            *scan = read_scan(project, *meshes, p);
+        },
         [this, scan, key](const JobEnd& end) {
             if (key != key_) return;
             if (end.how == JobEnd::How::cancelled) return key_.clear();
@@ -273,6 +280,7 @@ void ScanController::preview() {
 void ScanController::end_preview(const std::shared_ptr<ScanTrial>& trial, const JobEnd& end) {
     panel_->show_progress(-1, {});
     const bool fits = scan_ && trial->before == scan_;
+    if (fits && end.done()) meshes_->keep(trial->key, repaired(*trial)); // for when it is taken over
     if (fits && (!known_ || end.done() || trial->steps.size() > known_->steps.size())) known_ = trial;
     if (fits && end.how != JobEnd::How::cancelled) {
         if (end.how == JobEnd::How::failed && trial->failure.isEmpty()) trial->failure = end.message;
@@ -323,29 +331,11 @@ void ScanController::show_steps() {
     std::size_t on = 0;
     for (std::size_t i = 0; i < draft_.size(); ++i) {
         const RepairStep& step = draft_[i];
-        ScanPanel::Step row;
-        row.name = step_name(step.kind);
-        const QString wrong = step_problem(draft_[i]);
-        if (const QString amount = step_amount(step, document_.unit()); wrong.isEmpty() && !amount.isEmpty())
-            row.name += QStringLiteral(", ") + amount;
-        row.off = step.off;
-        row.help = step_help(step.kind);
-        if (!wrong.isEmpty()) {
-            row.failed = true;
-            row.result = wrong;
-        } else if (trial_ && trial_->failed == i && trial_->recipe == draft_) {
-            row.failed = true;
-            row.result = sentence(trial_->failure);
-        } else if (step.off) {
-            row.result = tr("off");
-        } else if (const TriedStepPtr done = tried(i)) {
-            row.result = step_result(done->report, done->seconds, document_.unit());
-        } else if (as_read && on < part->repairs.size()) {
-            row.result = step_result(part->repairs[on], -1, document_.unit());
-        }
+        const StepReport* read = as_read && on < part->repairs.size() ? &part->repairs[on] : nullptr;
+        const bool failed = trial_ && trial_->failed == i && trial_->recipe == draft_;
+        steps.push_back(
+            step_row(step, failed ? trial_->failure : QString(), tried(i), read, document_.unit()));
         on += !step.off;
-        if (!row.result.isEmpty()) row.help += QChar('\n') + row.result;
-        steps.push_back(std::move(row));
     }
     if (chosen_ && *chosen_ >= draft_.size()) chosen_.reset();
     panel_->show_steps(steps, chosen_);

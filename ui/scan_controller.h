@@ -22,7 +22,10 @@ class Viewport;
 class ScanController : public Controller {
     Q_OBJECT
 public:
-    ScanController(Document& document, Viewport& viewport, QWidget* window);
+    /// `meshes`: what was read and repaired here is not done again where the part is read, and the other way
+    /// round.
+    ScanController(Document& document, std::shared_ptr<KnownMeshes> meshes, Viewport& viewport,
+                   QWidget* window);
     ~ScanController() override;
 
     ScanPanel* panel() { return panel_; }
@@ -76,6 +79,7 @@ private:
     void show_in_view();
 
     Document& document_;
+    std::shared_ptr<KnownMeshes> meshes_;
     ScanPanel* panel_ = nullptr;
     ScanView* view_ = nullptr;
     QAction* open_action_ = nullptr;

@@ -68,6 +68,7 @@ QMenu* kind_menu(QWidget* parent, const std::function<void(RepairStep::Kind)>& a
     const auto& words = repair_step_parameters().find("kind")->info.words;
     for (std::size_t k = 0; k < words.size(); ++k) {
         const auto kind = RepairStep::Kind(k);
+        if (kind == RepairStep::Kind::hole) continue; // it is chosen in the list of holes
         QAction* a = menu->addAction(step_name(kind), parent, [add, kind] { add(kind); });
         a->setObjectName(QStringLiteral("add_") + text(words[k]));
         a->setToolTip(step_help(kind));

@@ -19,6 +19,11 @@ ScanPanel::Line part_row(const QString& what, const QString& now, const QString&
     return {what, now, after, ScanPanel::tr("Click: shown in the view"), false, {}};
 }
 
+ScanPanel::Line hole_row(const QString& what, const QString& after) {
+    return {what,  {}, after, ScanPanel::tr("Click: shown in the view. Right click: how it is filled"),
+            false, {}};
+}
+
 ScanPanel::Line rest_row(std::size_t left_out) {
     return {ScanPanel::tr("%1 smaller ones").arg(count_text(left_out)), {}, {}, {}, false, {}};
 }
@@ -57,8 +62,8 @@ std::vector<ScanPanel::Line> survey_rows(const ScannedMesh& scan, const ScannedM
     auto& holes = rows[holes_line].parts;
     for (std::size_t h = 0; h < std::min(fates.size(), listed_parts); ++h)
         holes.push_back(
-            part_row(ScanPanel::tr("Ø %1").arg(shown_length(scan.survey.holes.holes[h].diameter, unit, 3)),
-                     {}, fate_text(fates[h])));
+            hole_row(ScanPanel::tr("Ø %1").arg(shown_length(scan.survey.holes.holes[h].diameter, unit, 3)),
+                     fate_text(fates[h])));
     if (fates.size() > listed_parts) holes.push_back(rest_row(fates.size() - listed_parts));
     auto& pieces = rows[pieces_line].parts;
     if (scan.pieces.size() < 2) return rows;
@@ -81,6 +86,29 @@ QString scan_size(const ScannedMesh& scan, bool scaled, LengthUnit unit) {
                       scan.report.watertight ? ScanPanel::tr("watertight") : ScanPanel::tr("not watertight")};
     if (scaled) words << ScanPanel::tr("lengths as in the file");
     return words.join(QStringLiteral(" · "));
+}
+
+ScanPanel::Step step_row(const RepairStep& step, const QString& failure, const TriedStepPtr& tried,
+                         const StepReport* read, LengthUnit unit) {
+    ScanPanel::Step row;
+    row.name = step_name(step.kind);
+    const QString wrong = step_problem(step);
+    if (const QString amount = step_amount(step, unit); wrong.isEmpty() && !amount.isEmpty())
+        row.name += QStringLiteral(", ") + amount;
+    row.off = step.off;
+    row.help = step_help(step.kind);
+    if (!wrong.isEmpty() || !failure.isEmpty()) {
+        row.failed = true;
+        row.result = wrong.isEmpty() ? sentence(failure) : wrong;
+    } else if (step.off) {
+        row.result = ScanPanel::tr("off");
+    } else if (tried) {
+        row.result = step_result(tried->report, tried->seconds, unit);
+    } else if (read) {
+        row.result = step_result(*read, -1, unit);
+    }
+    if (!row.result.isEmpty()) row.help += QChar('\n') + row.result;
+    return row;
 }
 
 QString step_remark(const ScannedMesh& scan, const std::vector<RepairStep>& recipe, std::size_t i) {

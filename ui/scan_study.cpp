@@ -1,7 +1,6 @@
 #include "ui/scan_study.h"
 
 #include "core/job/placed_mesh.h"
-#include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/text.h"
 
@@ -36,13 +35,16 @@ ScannedMeshPtr surveyed(MeshPtr mesh, MeshReport report, const Progress& progres
     return scan;
 }
 
-TriedStepPtr carry_out(const RepairStep& step, const MeshReading& reading, const MeshPtr& mesh,
-                       const std::vector<char>& added, const Progress& progress) {
+/// Step `i` of a recipe, on what those before it have made.
+TriedStepPtr carry_out(const std::vector<RepairStep>& recipe, std::size_t i, const MeshReading& reading,
+                       const MeshPtr& mesh, const std::vector<char>& added, const Progress& progress) {
+    const RepairStep& step = recipe[i];
     const auto start = std::chrono::steady_clock::now();
     auto tried = std::make_shared<TriedStep>();
     tried->step = step;
     tried->key = recipe_key({step}); // before: a file that changes meanwhile is read again
-    Repaired done = run_recipe(mesh, {step}, progress.part(0, 0.8), reading);
+    const std::vector<RepairStep> up_to(recipe.begin(), recipe.begin() + std::ptrdiff_t(i) + 1);
+    Repaired done = run_recipe(mesh, up_to, progress.part(0, 0.8), reading, i);
     tried->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     tried->report = std::move(done.steps.front());
     tried->mesh = std::move(done.mesh);
@@ -62,9 +64,9 @@ std::string scan_place_key(const Project& project) {
     return mesh_key({}, MeshPlace::of(project.placed_part()));
 }
 
-ScannedMeshPtr read_scan(const Project& project, const Progress& progress) {
-    LoadedMesh loaded =
-        load_mesh(project.part_path(), project.part_reading(), progress.part(0, 0.4, "Reading the part"));
+ScannedMeshPtr read_scan(const Project& project, KnownMeshes& meshes, const Progress& progress) {
+    RepairedMesh loaded = load_repaired(project.part_path(), project.part_reading(), {},
+                                        progress.part(0, 0.4, "Reading the part"), &meshes);
     return surveyed(loaded.mesh, std::move(loaded.report), progress.part(0.4, 1));
 }
 
@@ -89,8 +91,17 @@ std::shared_ptr<ScanTrial> new_trial(const Project& project, const std::vector<R
     trial->recipe = recipe;
     trial->located = asked.part_recipe();
     trial->reading = asked.part_reading();
+    trial->key = repaired_key(asked.part_path(), trial->reading, trial->located);
+    trial->reading.objects.clear(); // all of each
     trial->before = before;
     return trial;
+}
+
+RepairedMesh repaired(const ScanTrial& trial) {
+    RepairedMesh result{trial.after->mesh, nullptr, trial.after->report, {}};
+    for (const TriedStepPtr& tried : trial.steps)
+        result.repairs.push_back(tried->report);
+    return result;
 }
 
 void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& place, LengthUnit unit,
@@ -112,7 +123,7 @@ void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& pl
         try {
             trial.steps.push_back(as_before
                                       ? known->steps[at]
-                                      : carry_out(step, trial.reading, mesh, added,
+                                      : carry_out(trial.located, i, trial.reading, mesh, added,
                                                   running.part(double(at) * share, double(at + 1) * share)));
         } catch (const Error& e) {
             trial.failed = i;
@@ -128,9 +139,7 @@ void try_recipe(ScanTrial& trial, const ScanTrialPtr& known, const PlaceMesh& pl
     } else if (as_before && known->after && known->after->mesh == mesh) {
         trial.after = known->after;
     } else {
-        MeshReport report;
-        report.assumed_unit = trial.before->report.assumed_unit;
-        analyse_mesh(*mesh, report, progress.part(0.7, 0.73));
+        MeshReport report = report_of_repaired(trial.before->report, *mesh, progress.part(0.7, 0.73));
         trial.after = surveyed(mesh, std::move(report), progress.part(0.73, 0.85));
     }
     trial.display = prepare_repair_display({trial.before->mesh, mesh, added, moved}, place, unit,

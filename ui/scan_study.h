@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/job/project.h"
+#include "core/job/repaired_mesh.h"
 #include "core/mesh/mesh_report.h"
 #include "core/repair/repair.h"
 #include "core/repair/suggestion.h"
@@ -34,8 +35,9 @@ std::string scan_key(const Project& project);
 /// Where the part lies, likewise.
 std::string scan_place_key(const Project& project);
 
-/// Reads the part's file without its recipe. Throws what load_mesh and survey_mesh throw.
-ScannedMeshPtr read_scan(const Project& project, const Progress& progress);
+/// Reads the part's file without its recipe, unless that is known. Throws what load_mesh and survey_mesh
+/// throw.
+ScannedMeshPtr read_scan(const Project& project, KnownMeshes& meshes, const Progress& progress);
 
 /// What one step came to.
 struct TriedStep {
@@ -53,6 +55,7 @@ using TriedStepPtr = std::shared_ptr<const TriedStep>;
 struct ScanTrial {
     std::vector<RepairStep> recipe, located; ///< as it is edited; with files where they are looked for
     MeshReading reading;                     ///< of scans that are joined on
+    std::string key;                         ///< repaired_key of what comes out
     ScannedMeshPtr before;
     std::vector<TriedStepPtr> steps; ///< of the recipe's steps that are not off, as far as it came
     ScannedMeshPtr after;            ///< null where it did not come to the end
@@ -71,6 +74,9 @@ using ScanTrialPtr = std::shared_ptr<const ScanTrial>;
 /// A recipe for the part of a project, to be tried on its mesh as it is.
 std::shared_ptr<ScanTrial> new_trial(const Project& project, const std::vector<RepairStep>& recipe,
                                      const ScannedMeshPtr& before);
+
+/// What came out at the end, as the part is read.
+RepairedMesh repaired(const ScanTrial& trial);
 
 /// Fills a new trial as it goes on: what was done by the time that it is
 /// cancelled or fails stays. `known`: a trial of before, of the same mesh; may be null. Throws what

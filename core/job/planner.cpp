@@ -214,6 +214,7 @@ struct Planner::Cache {
         }
     };
 
+    std::shared_ptr<KnownMeshes> meshes;
     std::string load_key, part_key, stock_key, held_key; ///< stock_key: empty where its mesh is none
     std::optional<RepairedMesh> loaded;
     std::shared_ptr<const PreparedPart> part;
@@ -327,8 +328,14 @@ void set_view(PlanContext& context, const AxisView& view) {
     context.left = std::move(left);
 }
 
-Planner::Planner() : cache_(std::make_unique<Cache>()) {}
+Planner::Planner(std::shared_ptr<KnownMeshes> meshes) : cache_(std::make_unique<Cache>()) {
+    cache_->meshes = meshes ? std::move(meshes) : std::make_shared<KnownMeshes>();
+}
 Planner::~Planner() = default;
+
+const std::shared_ptr<KnownMeshes>& Planner::meshes() const {
+    return cache_->meshes;
+}
 
 const PlannerWork& Planner::work() const {
     return cache_->work;
@@ -367,14 +374,9 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
     Cache& c = *cache_;
     const fs::path path = project.part_path();
     const PartSpec spec = project.placed_part();
-    Key load_key;
     const MeshReading how = project.part_reading();
-    const std::string recipe = recipe_key(project.part_recipe());
-    load_key.add(std::string_view(file_stamp(path)))
-        .add(std::string_view(reading_key(how)))
-        .add(std::string_view(recipe));
-    const std::string part_key =
-        mesh_key(path, MeshPlace::of(spec)) + load_key.text() + (spec.flip ? "flip" : "");
+    const std::string load_key = repaired_key(path, how, project.part_recipe());
+    const std::string part_key = mesh_key(path, MeshPlace::of(spec)) + load_key + (spec.flip ? "flip" : "");
     const bool has_stock = project.stock.kind == StockSpec::Kind::mesh;
     const bool rests = project.stock.kind == StockSpec::Kind::rest;
     const std::string stock_key = has_stock ? mesh_key(project.stock_path(), MeshPlace::of(project.stock))
@@ -382,11 +384,12 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
                                             : std::string();
     const Progress reading = progress.part(0.0, has_stock ? 0.7 : 1.0);
     if (!c.part || c.part_key != part_key) {
-        if (!c.loaded || c.load_key != load_key.text()) {
-            RepairedMesh loaded = load_repaired(path, how, project.part_recipe(), reading.part(0.0, 0.6));
+        if (!c.loaded || c.load_key != load_key) {
+            RepairedMesh loaded =
+                load_repaired(path, how, project.part_recipe(), reading.part(0.0, 0.6), c.meshes.get());
             ++c.work.loads;
             c.loaded = std::move(loaded);
-            c.load_key = load_key.text();
+            c.load_key = load_key;
         }
         auto part = std::make_shared<PreparedPart>();
         part->mesh = placed(c.loaded->mesh, MeshPlace::of(spec), reading.part(0.6, 0.62));

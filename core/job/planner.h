@@ -19,6 +19,7 @@
 namespace facetmill {
 
 struct KeptWithin; // boundary_region.h
+class KnownMeshes; // repaired_mesh.h
 
 /// The part in place: read, transformed, measured. Published whole.
 struct PreparedPart {
@@ -131,7 +132,8 @@ struct PlanResult {
 /// only what it used is kept.
 class Planner {
 public:
-    Planner();
+    /// `meshes`: what others have read, and get of it; null: its own.
+    explicit Planner(std::shared_ptr<KnownMeshes> meshes = nullptr);
     ~Planner();
 
     /// The part of a project and the mesh of its stock, from the cache when file, time stamp, size, unit and
@@ -152,6 +154,8 @@ public:
     std::shared_ptr<const PlanResult> plan(const Project& project, const std::string& only_operation,
                                            const Progress& progress);
 
+    /// What it has read, and others.
+    const std::shared_ptr<KnownMeshes>& meshes() const;
     const PlannerWork& work() const;
 
 private:

@@ -16,35 +16,75 @@ bool is_of_mesh(const std::string& word) {
     return false;
 }
 
-MeshReport report_after(const MeshReport& before, const Mesh& mesh, const Progress& progress) {
+} // namespace
+
+std::optional<RepairedMesh> KnownMeshes::find(const std::string& key) const {
+    const std::lock_guard lock(mutex_);
+    const auto it = all_.find(key);
+    MeshPtr mesh = it == all_.end() ? nullptr : it->second.mesh.lock();
+    if (!mesh) return std::nullopt;
+    RepairedMesh found = it->second.rest;
+    found.mesh = std::move(mesh);
+    return found;
+}
+
+void KnownMeshes::keep(const std::string& key, const RepairedMesh& known) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(all_, [](const auto& entry) { return entry.second.mesh.expired(); });
+    Entry& entry = all_[key];
+    entry.mesh = known.mesh;
+    entry.rest = known;
+    entry.rest.mesh = nullptr;
+}
+
+std::string repaired_key(const std::filesystem::path& path, const MeshReading& reading,
+                         const std::vector<RepairStep>& recipe) {
+    Key key;
+    key.add(std::string_view(file_stamp(path)))
+        .add(std::string_view(reading_key(reading)))
+        .add(std::string_view(recipe_key(recipe)));
+    return key.text();
+}
+
+MeshReport report_of_repaired(const MeshReport& of_file, const Mesh& mesh, const Progress& progress) {
     MeshReport report;
-    report.format = before.format;
-    report.name = before.name;
-    report.assumed_unit = before.assumed_unit;
-    report.unit_known = before.unit_known;
-    report.is_relief = before.is_relief;
-    report.objects = before.objects;
-    report.surfaces = before.surfaces;
+    report.format = of_file.format;
+    report.name = of_file.name;
+    report.assumed_unit = of_file.assumed_unit;
+    report.unit_known = of_file.unit_known;
+    report.is_relief = of_file.is_relief;
+    report.objects = of_file.objects;
+    report.surfaces = of_file.surfaces;
     analyse_mesh(mesh, report, progress);
-    for (const std::string& word : before.warnings)
+    for (const std::string& word : of_file.warnings)
         if (!is_of_mesh(word)) report.warnings.push_back(word);
     std::sort(report.warnings.begin(), report.warnings.end());
     return report;
 }
 
-} // namespace
-
 RepairedMesh load_repaired(const std::filesystem::path& path, const MeshReading& reading,
-                           const std::vector<RepairStep>& recipe, const Progress& progress) {
+                           const std::vector<RepairStep>& recipe, const Progress& progress,
+                           KnownMeshes* known) {
     const bool repairs =
         std::any_of(recipe.begin(), recipe.end(), [](const RepairStep& step) { return !step.off; });
-    LoadedMesh loaded = load_mesh(path, reading, progress.part(0, repairs ? 0.3 : 1, "Reading the part"));
-    if (!repairs) return {loaded.mesh, loaded.faces, std::move(loaded.report), {}};
+    // What a file is called before it is read: one that changes meanwhile has another text afterwards.
+    const std::string file_key = repaired_key(path, reading, {}), key = repaired_key(path, reading, recipe);
+    const auto find = [&](const std::string& k) { return known ? known->find(k) : std::nullopt; };
+    if (auto found = find(key)) return *std::move(found);
+    auto file = find(file_key);
+    if (!file) {
+        LoadedMesh loaded = load_mesh(path, reading, progress.part(0, repairs ? 0.3 : 1, "Reading the part"));
+        file = {loaded.mesh, loaded.faces, std::move(loaded.report), {}};
+        if (known) known->keep(file_key, *file);
+    }
+    if (!repairs) return *std::move(file);
     MeshReading scans = reading; // all of each
     scans.objects.clear();
-    Repaired repaired = run_recipe(loaded.mesh, recipe, progress.part(0.3, 0.95), scans);
-    MeshReport report = report_after(loaded.report, *repaired.mesh, progress.part(0.95, 1));
-    return {repaired.mesh, nullptr, std::move(report), std::move(repaired.steps)};
+    Repaired repaired = run_recipe(file->mesh, recipe, progress.part(0.3, 0.95), scans);
+    MeshReport report = report_of_repaired(file->report, *repaired.mesh, progress.part(0.95, 1));
+    RepairedMesh result{repaired.mesh, nullptr, std::move(report), std::move(repaired.steps)};
+    if (known) known->keep(key, result);
+    return result;
 }
 
 std::string recipe_key(const std::vector<RepairStep>& recipe) {

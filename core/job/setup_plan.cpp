@@ -4,6 +4,7 @@
 #include "core/job/asked_operations.h"
 #include "core/job/cache_key.h"
 #include "core/job/project_inputs.h"
+#include "core/job/repaired_mesh.h"
 #include "core/job/stock_so_far.h"
 #include "core/job/stock_solid.h"
 #include "core/job/verification.h"
@@ -109,9 +110,12 @@ std::string stock_source(const Project& project, const FileText& file_text) {
     return key.text();
 }
 
+SetupPlanners::SetupPlanners(std::shared_ptr<KnownMeshes> meshes)
+    : meshes_(meshes ? std::move(meshes) : std::make_shared<KnownMeshes>()) {}
+
 Planner& SetupPlanners::at(std::size_t setup) {
     while (planners_.size() <= setup)
-        planners_.push_back(std::make_unique<Planner>());
+        planners_.push_back(std::make_unique<Planner>(meshes_));
     return *planners_[setup];
 }
 

@@ -24,12 +24,15 @@ struct SetupPlan {
 /// A planner for each setup of a project, which keep what they have planned.
 class SetupPlanners {
 public:
+    /// `meshes`: of all its planners (Planner).
+    explicit SetupPlanners(std::shared_ptr<KnownMeshes> meshes = nullptr);
     Planner& at(std::size_t setup);
     /// The rest that the chosen setup begins with, where it was carried to its planner; null where it was
     /// not, or was made from anything else than the project says now.
     std::shared_ptr<const CarriedStock> known_rest(const Project& project);
 
 private:
+    std::shared_ptr<KnownMeshes> meshes_;
     std::vector<std::unique_ptr<Planner>> planners_;
 };
 

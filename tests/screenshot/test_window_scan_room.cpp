@@ -171,6 +171,7 @@ private slots:
         QCOMPARE(w().document().undo_stack().count(), 1);
         QVERIFY(!shown());
         QVERIFY(w().document().part()->report.watertight);
+        QVERIFY(w().document().part()->mesh == scan().trial()->after->mesh); // not carried out once more
         QCOMPARE(w().document().part()->repairs.size(), std::size_t(3));
         QVERIFY(!button("scan_apply")->isEnabled());
         w().tree().select({ui::TreeNode::Kind::part, 0});
@@ -270,6 +271,53 @@ private slots:
         QVERIFY2(step_text(1).contains(QStringLiteral("leaves no facet")), qPrintable(step_text(1)));
         QVERIFY(!shown() && !w().document().undo_stack().canUndo());
         shot(w(), QStringLiteral("scan-failed"));
+    }
+
+    /// Each hole is filled as it is chosen, by the mouse or by keys.
+    void a_hole_is_chosen_by_itself() {
+        open_room();
+        add("add_holes");
+        type_over(field("size"), QStringLiteral("0"));
+        QTest::keyClick(field("size"), Qt::Key_Return);
+        line(QStringLiteral("Holes"))->setExpanded(true);
+        const auto fate = [&](int hole) { return line(QStringLiteral("Holes"))->child(hole)->text(2); };
+        const auto choose = [&](int hole, const char* choice, bool picture = false) {
+            panel().survey()->setCurrentItem(line(QStringLiteral("Holes"))->child(hole));
+            emit panel().survey()->customContextMenuRequested({});
+            auto* menu = panel().findChild<QMenu*>(QStringLiteral("hole_choices"));
+            QVERIFY(menu && menu->isVisible());
+            if (picture) shot(*menu, QStringLiteral("scan-hole-choices"));
+            menu->findChild<QAction*>(QLatin1String(choice))->trigger();
+            menu->close();
+            delete menu;
+            QVERIFY(wait_until_settled(w()));
+        };
+        // The largest is that of the top; the rim of the loose sheet, which no patch fits, is as large as
+        // that below.
+        const auto& holes = scan().scan()->survey.holes.holes;
+        QCOMPARE(holes.size(), std::size_t(3));
+        const int below = holes[1].center.z() < 1 ? 1 : 2;
+        choose(0, "hole_left", true);
+        QVERIFY(kinds() == (std::vector<Kind>{Kind::hole, Kind::holes}));
+        QVERIFY(scan().recipe()[0].fill == RepairStep::Fill::left);
+        QCOMPARE(fate(0), QStringLiteral("left"));
+        QCOMPARE(fate(below), QStringLiteral("filled"));
+        choose(below, "hole_flat");
+        QCOMPARE(kinds().size(), std::size_t(3));
+        press("scan_preview");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(step_text(0).contains(QStringLiteral("One hole, left open"))
+                     && step_text(0).contains(QStringLiteral("1 hole left as asked")),
+                 qPrintable(step_text(0)));
+        QVERIFY2(step_text(1).contains(QStringLiteral("1 hole filled")), qPrintable(step_text(1)));
+        QVERIFY2(step_text(2).contains(QStringLiteral("1 hole left as asked")), qPrintable(step_text(2)));
+        QCOMPARE(after(QStringLiteral("Holes")), QStringLiteral("2"));
+        shot(w(), QStringLiteral("scan-hole-chosen"));
+        choose(0, "hole_as_all");
+        QVERIFY(kinds() == (std::vector<Kind>{Kind::hole, Kind::holes}));
+        QCOMPARE(fate(0), QStringLiteral("filled"));
+        choose(below, "hole_smooth");
+        QCOMPARE(kinds().size(), std::size_t(2));
     }
 
     /// Another scan is asked for; without one there is no step.

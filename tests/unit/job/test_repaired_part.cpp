@@ -118,6 +118,35 @@ private slots:
         QVERIFY(second->mesh->vertices != first->mesh->vertices);
     }
 
+    /// What one has read and repaired another one gets, as long as somebody holds it.
+    void what_is_known_is_not_done_again() {
+        const ScanProject files(6);
+        const Project project = files.project(steps);
+        const auto load = [&](const std::vector<RepairStep>& recipe, KnownMeshes* known) {
+            return load_repaired(project.part_path(), project.part_reading(), recipe, {}, known);
+        };
+        Planner planner;
+        KnownMeshes& known = *planner.meshes();
+        std::optional<RepairedMesh> file = load({}, &known), fresh = load(project.part_recipe(), nullptr);
+        RepairedMesh again = load({}, &known);
+        QVERIFY(again.mesh == file->mesh);
+        const auto part = planner.prepare(project, {});
+        std::optional<RepairedMesh> repaired = load(project.part_recipe(), &known);
+        QVERIFY(part->mesh == repaired->mesh && repaired->mesh != fresh->mesh);
+        QVERIFY(repaired->mesh->vertices == fresh->mesh->vertices
+                && repaired->mesh->facets == fresh->mesh->facets);
+        QCOMPARE(repaired->report.warnings, fresh->report.warnings);
+        QCOMPARE(repaired->repairs.size(), std::size_t(2));
+        // Not what a file was before, nor what nobody has any more.
+        const std::string key = repaired_key(project.part_path(), project.part_reading(), {});
+        QVERIFY(known.find(key));
+        file.reset();
+        again = {};
+        QVERIFY(!known.find(key));
+        files.write_scan(7);
+        QVERIFY(load(project.part_recipe(), &known).mesh != repaired->mesh);
+    }
+
     void a_bad_recipe_names_its_place() {
         const ScanProject files(5);
         std::string message;
