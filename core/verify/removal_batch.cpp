@@ -120,8 +120,11 @@ private:
         Vec3 step = Vec3::Zero();
         step[u_] = lattice_.spacing[u_];
         p[u_] = lattice_.origin[u_] + (i0_ + first) * lattice_.spacing[u_];
+        SweepRow::Flags wanted{};
+        for (int i = first; i <= last; ++i)
+            wanted[std::size_t(i - first)] = !is_void(row_start + i, low_, high_);
         SweepRow met;
-        met.ask(swept, p, step, last - first + 1, low_, high_);
+        met.ask(swept, p, step, last - first + 1, low_, high_, wanted);
         for (int i = first; i <= last; ++i) {
             const auto lane = std::size_t(i - first);
             if (!(met.lo[lane] <= met.hi[lane])) continue;

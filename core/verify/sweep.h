@@ -164,17 +164,23 @@ class SweepRow {
 public:
     static constexpr int lanes = 16;
     using Values = std::array<double, lanes>;
-    /// Sets lo and hi of the `count` lines (p + i step) + t direction; empty where lo > hi. Those that have
-    /// nothing between `low` and `high` may come back empty.
-    void ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low, double high);
+    using Flags = std::array<std::int64_t, lanes>; ///< 0 or not; as wide as the values
+    /// Sets lo and hi of the `count` lines (p + i step) + t direction that are wanted; empty where lo > hi.
+    /// Those that have nothing between `low` and `high`, or are not wanted, may come back empty.
+    void ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low, double high,
+             Flags wanted);
 
     Values lo, hi;
 
 private:
     struct Touches;
-    void set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u);
-    void set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last);
-    static void touch(const SweepRays& swept, double side, const Values& c, int count, Touches& found);
+    void set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u,
+                   const Flags& wanted);
+    void set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last,
+                    const Flags& wanted);
+    static void touch(const SweepRays& swept, double side, const Values& c, int count, const Flags& wanted,
+                      Touches& found);
+    static bool is_slow(const SweepRays& swept);
 };
 
 /// Where the tool is at a share s of a motion, 0 at its start and 1 at its end.

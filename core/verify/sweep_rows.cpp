@@ -11,7 +11,6 @@ namespace facetmill {
 namespace {
 
 using RowValues = SweepRow::Values;
-using RowFlags = std::array<std::int64_t, SweepRow::lanes>; // as wide as the values
 
 /// Radii of a body of these sides at heights; below 0 where it has none.
 void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int count, RowValues& radius) {
@@ -63,7 +62,8 @@ void set_heights(const ProfilePiece& s, const RowValues& rho, int count, const T
 
 } // namespace
 
-void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u) {
+void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u,
+                         const Flags& wanted) {
     if (u.x() == 0 && u.y() == 0) {
         RowValues rho{}, low{}, high{};
         for (int i = 0; i < count; ++i) {
@@ -110,16 +110,17 @@ void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step
         }
     } else {
         for (int i = 0; i < count; ++i) {
-            const Stretch s = body.along_general(p + i * step, u);
+            const Stretch s = wanted[i] ? body.along_general(p + i * step, u) : Stretch();
             lo[i] = s.lo;
             hi[i] = s.hi;
         }
     }
 }
 
-void SweepRow::set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last) {
+void SweepRow::set_at_end(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, bool last,
+                          const Flags& wanted) {
     set_along(*swept.body_, swept.frame_ * (p - swept.from_) - (last ? swept.length_ : 0.0) * swept.along_,
-              swept.frame_ * step, count, swept.u_);
+              swept.frame_ * step, count, swept.u_, wanted);
 }
 
 /// Touches of the outline at offsets that grow or shrink evenly.
@@ -127,7 +128,8 @@ struct SweepRow::Touches {
     RowValues y, l;
 };
 
-void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int count, Touches& found) {
+void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int count, const Flags& wanted,
+                     Touches& found) {
     using Link = SweepRays::Link;
     const std::vector<Link>& chain = side < 0 ? swept.entry_ : swept.exit_;
     const bool grows = c[count - 1] >= c[0];
@@ -151,6 +153,7 @@ void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int c
             }
         } else if (link->kind == Link::Kind::torus) {
             for (int k = i; k < end; ++k) {
+                if (!wanted[k]) continue;
                 const SweepRays::Touch at =
                     swept.touch_torus(*link, side, std::clamp(c[k], link->c0, link->c1));
                 found.y[k] = at.y;
@@ -171,10 +174,24 @@ void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int c
     }
 }
 
+/// Whether some of what is asked cannot be done for a whole row at once.
+bool SweepRow::is_slow(const SweepRays& swept) {
+    const auto is_torus = [](const SweepRays::Link& link) {
+        return link.kind == SweepRays::Link::Kind::torus;
+    };
+    const Vec3& u = swept.u_;
+    return (u.z() != 0 && (u.x() != 0 || u.y() != 0))
+           || std::any_of(swept.entry_.begin(), swept.entry_.end(), is_torus)
+           || std::any_of(swept.exit_.begin(), swept.exit_.end(), is_torus);
+}
+
 void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low,
-                   double high) {
+                   double high, Flags wanted) {
+    if (is_slow(swept))
+        for (int i = 0; i < count; ++i)
+            wanted[i] = wanted[i] && !swept.misses(p + i * step, low, high);
     if (swept.parallel_) {
-        set_at_end(swept, p, step, count, false);
+        set_at_end(swept, p, step, count, false, wanted);
         const double shift = swept.length_ * swept.u_along_;
         for (int i = 0; i < count; ++i) {
             lo[i] += std::min(0.0, shift);
@@ -195,17 +212,17 @@ void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int 
     for (int i = 0; i < count; ++i)
         c[i] = c0 + i * dc;
     Touches entry{}, exit{};
-    touch(swept, -1, c, count, entry);
-    touch(swept, 1, c, count, exit);
+    touch(swept, -1, c, count, wanted, entry);
+    touch(swept, 1, c, count, wanted, exit);
     const double least = swept.exit_.front().c0, most = swept.exit_.back().c1;
     const double per_sine = 1 / swept.sine_, per_t = swept.u_along_, length = swept.length_;
-    RowFlags enters_first{}, enters_last{}, leaves_first{}, leaves_last{};
+    Flags enters_first{}, enters_last{}, leaves_first{}, leaves_last{};
     std::int64_t first = 0, last = 0;
     for (int i = 0; i < count; ++i) {
         const double y = y0 + i * dy, l = l0 + i * dl;
         const double a = (entry.y[i] - y) * per_sine, b = (exit.y[i] - y) * per_sine;
         // The tool that had moved for ever would not reach the others either.
-        const bool met = (c[i] >= least) & (c[i] <= most) & (a < high) & (b > low);
+        const bool met = (wanted[i] != 0) & (c[i] >= least) & (c[i] <= most) & (a < high) & (b > low);
         lo[i] = met ? a : infinity;
         hi[i] = met ? b : -infinity;
         const double entry_at = l + a * per_t - entry.l[i], exit_at = l + b * per_t - exit.l[i];
@@ -217,9 +234,12 @@ void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int 
         last |= enters_last[i] | leaves_last[i];
     }
     // There the body at the nearer end instead.
-    const auto take = [&](bool is_last, const RowFlags& enters, const RowFlags& leaves) {
+    const auto take = [&](bool is_last, const Flags& enters, const Flags& leaves) {
+        Flags either{};
+        for (int i = 0; i < count; ++i)
+            either[i] = enters[i] | leaves[i];
         SweepRow end;
-        end.set_at_end(swept, p, step, count, is_last);
+        end.set_at_end(swept, p, step, count, is_last, either);
         for (int i = 0; i < count; ++i) {
             lo[i] = enters[i] ? end.lo[i] : lo[i];
             hi[i] = leaves[i] ? end.hi[i] : hi[i];
