@@ -18,7 +18,7 @@ constexpr double max_points = 2e7, max_bytes = 4e9, max_seconds = 4 * 3600, nota
 constexpr double bytes_per_point = 320;
 constexpr double seconds_upright = 2e-5, seconds_turning = 1e-5;
 /// A point of a roughing path cuts the stock as well; one of clean-up is looked for beside valleys first.
-constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4;
+constexpr double seconds_roughing = 4e-4, seconds_cleaning_up = 3e-4, seconds_of_levels = 2e-4;
 /// A node of a point's grid of postures, and a place at which strips are measured for an adaptive step-over:
 /// as many radii apart, and looked at for about as many planes before one is taken.
 constexpr double seconds_a_posture = 2e-6, seconds_a_strip = 3e-4, strip_radii = 0.25, planes_tried = 8;
@@ -33,6 +33,8 @@ constexpr double paths_a_round = 4, searches_a_round = 2, region_facet_share = 0
 constexpr double points_a_radius = 0.3;
 /// Of the part's surface, what clean-up comes by.
 constexpr double cleanup_share = 0.3;
+/// The same for waterlines: what is steep.
+constexpr double steep_share = 0.5;
 
 /// The step on a level plane that leaves this cusp.
 double level_step(const CutterProfile& cutter, double cusp) {
@@ -147,6 +149,11 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
         } else if (operation->linking() == Linking::over_stock) {
             e.points = points_of_layers(*operation, project, part, cutter);
             e.seconds = e.points * seconds_roughing;
+        } else if (operation->has(
+                       "stepdown")) { // levels over what is steep, on planes as far apart as passes
+            const double down = std::max(number_or(*operation, "stepdown", step), 1e-300);
+            e.points = steep_share * mesh_area(*part.mesh) / (down * along);
+            e.seconds = e.points * seconds_of_levels;
         } else if (!operation->has("stepover")) { // clean-up: passes beside valleys
             e.points = cleanup_share * mesh_area(*part.mesh) / (step * along);
             e.seconds = e.points * seconds_cleaning_up;

@@ -440,6 +440,10 @@
         <translation>Ebenen werden gewählt</translation>
     </message>
     <message>
+        <source>Choosing levels</source>
+        <translation>Höhen werden gewählt</translation>
+    </message>
+    <message>
         <source>Chord tolerance</source>
         <translation>Sehnentoleranz</translation>
     </message>
@@ -800,6 +804,10 @@
         <translation>Schneiden</translation>
     </message>
     <message>
+        <source>Following levels</source>
+        <translation>Höhenlinien werden verfolgt</translation>
+    </message>
+    <message>
         <source>Following the assumed path</source>
         <translation>Dem angenommenen Weg wird gefolgt</translation>
     </message>
@@ -894,6 +902,10 @@
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height between neighbouring levels: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
+        <translation>Höhe zwischen benachbarten Höhenlinien: adaptiv ist überall die größte, die die Toleranz zulässt; eine Länge wird eingehalten, welche Rillen sie auch lässt.</translation>
     </message>
     <message>
         <source>Height of rapid moves above the highest of part and stock.</source>
@@ -1118,6 +1130,10 @@
     <message>
         <source>Largest inclination on a part that is cut side by side, for pieces with places that no inclination within the lead limits reaches: undersides, faces of blades behind others. No larger than the upper lead limit: these are left, and said.</source>
         <translation>Größte Neigung auf einem Teil, das Seite für Seite gefräst wird, für Stücke mit Stellen, die keine Neigung innerhalb der Grenzen erreicht: Unterseiten, Schaufeln hinter anderen. Nicht größer als die obere Grenze: diese bleiben stehen und werden gesagt.</translation>
+    </message>
+    <message>
+        <source>Largest step-down</source>
+        <translation>Größte Zustellung</translation>
     </message>
     <message>
         <source>Largest turn of the surface normal between neighbouring points of a pass{1}.</source>
@@ -1876,6 +1892,14 @@
         <translation>Neigung, mit der Rampen und Wendeln hinabgehen.</translation>
     </message>
     <message>
+        <source>Slope limits</source>
+        <translation>Neigungsgrenzen</translation>
+    </message>
+    <message>
+        <source>Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. What is less steep is for parallel passes.</source>
+        <translation>Neigungen, die bearbeitet werden, von der Waagrechten an: 0 ist ein Boden, 90 Grad eine Wand. Was weniger steil ist, ist für parallele Bahnen.</translation>
+    </message>
+    <message>
         <source>Smallest and largest inclination of the tool axis from the surface normal towards the travel.</source>
         <translation>Kleinste und größte Neigung der Werkzeugachse von der Flächennormalen zur Fahrtrichtung.</translation>
     </message>
@@ -1962,6 +1986,10 @@
     <message>
         <source>Step of inclination and yaw in the configuration space.</source>
         <translation>Schritt von Neigung und Taumelwinkel im Konfigurationsraum.</translation>
+    </message>
+    <message>
+        <source>Step-down</source>
+        <translation>Zustellung in Z</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -2078,6 +2106,10 @@
     <message>
         <source>The OBJ file has curves or surfaces beside its facets; they were ignored.</source>
         <translation>Die OBJ-Datei hat neben Facetten Kurven oder Flächen; sie wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The adaptive step-down is no larger than this. auto is the cutter's diameter.</source>
+        <translation>Die adaptive Zustellung ist nicht größer. Automatisch ist der Durchmesser des Fräsers.</translation>
     </message>
     <message>
         <source>The attribute words of the binary STL file are not zero (colours of some writers); they were ignored.</source>
@@ -2402,6 +2434,10 @@
     <message>
         <source>View direction</source>
         <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Waterline</source>
+        <translation>Höhenlinien</translation>
     </message>
     <message>
         <source>What cutter, shank and holder keep from it, in cuts and in rapids.</source>
@@ -2800,6 +2836,10 @@
         <translation>ein Teil von {1} mal {2} verlangt mehr als {3} Stellen dieses Werkzeugs</translation>
     </message>
     <message>
+        <source>a part of {1} by {2} asks for too many places of this tool</source>
+        <translation>ein Teil von {1} mal {2} verlangt zu viele Stellen dieses Werkzeugs</translation>
+    </message>
+    <message>
         <source>a pass goes {1} into the allowance at {2}</source>
         <translation>eine Bahn geht bei {2} um {1} in das Aufmaß</translation>
     </message>
@@ -2842,6 +2882,10 @@
     <message>
         <source>a step of kind {1} does not read it</source>
         <translation>ein Schritt der Art {1} liest es nicht</translation>
+    </message>
+    <message>
+        <source>a step-down of {1} makes more than {2} levels</source>
+        <translation>eine Zustellung von {1} ergibt mehr als {2} Höhenlinien</translation>
     </message>
     <message>
         <source>a step-over of {1} makes</source>
@@ -3018,6 +3062,10 @@
     <message>
         <source>allow a larger one</source>
         <translation>eine größere erlauben</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or set a step-down</source>
+        <translation>eine größere Toleranz zulassen oder eine Zustellung angeben</translation>
     </message>
     <message>
         <source>allow a larger tolerance or set a step-over</source>
@@ -3328,6 +3376,10 @@
         <translation>die Einheit des Teils prüfen</translation>
     </message>
     <message>
+        <source>check the part's units, or take a larger tool</source>
+        <translation>die Einheit des Teils prüfen oder ein größeres Werkzeug nehmen</translation>
+    </message>
+    <message>
         <source>check the part's units, or take a larger tool or step-over</source>
         <translation>die Einheit des Teils prüfen oder Werkzeug oder Bahnabstand größer wählen</translation>
     </message>
@@ -3406,6 +3458,10 @@
     <message>
         <source>choose a larger side feed or tolerance</source>
         <translation>Seitenvorschub oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger step-down</source>
+        <translation>eine größere Zustellung wählen</translation>
     </message>
     <message>
         <source>choose a larger step-over</source>
@@ -4980,6 +5036,10 @@
         <translation>kein Anstellwinkel bis {1} ist frei</translation>
     </message>
     <message>
+        <source>no level lies within it</source>
+        <translation>keine Höhenlinie liegt darin</translation>
+    </message>
+    <message>
         <source>no lines of this tool leave as little as {1}</source>
         <translation>keine Linien dieses Werkzeugs lassen so wenig wie {1}</translation>
     </message>
@@ -5102,6 +5162,10 @@
     <message>
         <source>nothing of the part lies so far within it that the cutter has room</source>
         <translation>nichts vom Teil liegt so weit darin, dass der Fräser Platz hat</translation>
+    </message>
+    <message>
+        <source>nothing of the part that can be cut {1} has a slope from {2} to {3} degrees</source>
+        <translation>nichts vom Teil, was {1} bearbeitet werden kann, hat eine Neigung von {2} bis {3} Grad</translation>
     </message>
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
@@ -6068,6 +6132,10 @@
         <translation>die Länge des Werkzeugs ist negativ oder keine Zahl</translation>
     </message>
     <message>
+        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
+        <translation>die Höhenlinien lassen mehr stehen als erwartet: {1} bleiben um bis zu {2} ungefräst, am meisten bei {3}: eine kleinere Zustellung oder weitere Neigungsgrenzen wählen</translation>
+    </message>
+    <message>
         <source>the limits {1} are reversed or equal</source>
         <translation>die Grenzen {1} sind vertauscht oder gleich</translation>
     </message>
@@ -6424,6 +6492,10 @@
         <translation>der Schritt {1} lässt keine Facette</translation>
     </message>
     <message>
+        <source>the step-down of {1} leaves cusps of {2}; the tolerance allows {3}</source>
+        <translation>die Zustellung von {1} lässt Rillen von {2}; die Toleranz erlaubt {3}</translation>
+    </message>
+    <message>
         <source>the step-over of {1} leaves cusps of {2}; the tolerance allows {3}</source>
         <translation>der Bahnabstand von {1} lässt Rillen von {2}; die Toleranz erlaubt {3}</translation>
     </message>
@@ -6528,6 +6600,10 @@
         <translation>die Toleranz verlangt mehr als {1} Führungsebenen</translation>
     </message>
     <message>
+        <source>the tolerance asks for {1} levels</source>
+        <translation>die Toleranz verlangt {1} Höhenlinien</translation>
+    </message>
+    <message>
         <source>the tolerance is not above 0</source>
         <translation>die Toleranz ist nicht über 0</translation>
     </message>
@@ -6562,6 +6638,10 @@
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out</source>
         <translation>das Werkzeug ist kurz: Schaft oder Halter kämen in das Teil, deshalb fallen {1} der Bahnen weg</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, deshalb werden {1} der Bahnen ausgelassen: ein um {2} längeres Werkzeug käme hin</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -7188,6 +7268,10 @@
         <translation>was das Rohteil von unten hält</translation>
     </message>
     <message>
+        <source>what is as steep as asked for lies below the bottom of the stock</source>
+        <translation>was so steil ist wie verlangt, liegt unter dem Boden des Rohteils</translation>
+    </message>
+    <message>
         <source>what the setup before leaves is not known yet</source>
         <translation>was die vorherige Aufspannung lässt, ist noch nicht bekannt</translation>
     </message>
@@ -7196,12 +7280,20 @@
         <translation>wo es heißt, das Teil sei im Weg, kann es auch anderes sein: {1}, gemieden wie das Teil</translation>
     </message>
     <message>
+        <source>widen it or the slope limits, or take a tool that reaches what lies in it</source>
+        <translation>sie oder die Neigungsgrenzen weiter machen, oder ein Werkzeug nehmen, das erreicht, was darin liegt</translation>
+    </message>
+    <message>
         <source>widen it, or take a tool that reaches what lies in it</source>
         <translation>sie erweitern oder ein Werkzeug nehmen, das erreicht, was darin liegt</translation>
     </message>
     <message>
         <source>widen it, take a smaller tool, or keep only the contact within</source>
         <translation>sie erweitern, ein kleineres Werkzeug nehmen oder nur den Berührpunkt darin halten</translation>
+    </message>
+    <message>
+        <source>widen the slope limits, or finish it by parallel passes</source>
+        <translation>die Neigungsgrenzen weiter machen oder mit parallelen Bahnen schlichten</translation>
     </message>
     <message>
         <source>with corner radius 0 the centre (e, f) must be the corner ({1}, {2})</source>
@@ -7298,6 +7390,10 @@
     <message>
         <source>zigzag cuts neighbouring passes to and fro; oneway all in the same direction.</source>
         <translation>Zickzack fräst benachbarte Bahnen hin und her; einseitig alle in derselben Richtung.</translation>
+    </message>
+    <message>
+        <source>zigzag cuts open passes whichever way is nearer; oneway always with the part on the right of the travel (climb milling).</source>
+        <translation>Zickzack fräst offene Bahnen, wie es näher ist; eine Richtung immer mit dem Teil rechts vom Weg (Gleichlauf).</translation>
     </message>
     <message>
         <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above the part.</source>
@@ -7510,6 +7606,14 @@
     <message>
         <source>{1} of the surface is cleared by neither path{2}: use a smaller rework tool</source>
         <translation>{1} der Fläche trägt keiner der Wege ab{2}: ein kleineres Nacharbeitswerkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is less steep than the slope limits and is left to other operations</source>
+        <translation>{1} der Oberfläche sind weniger steil als die Neigungsgrenzen und bleiben anderen Operationen</translation>
+    </message>
+    <message>
+        <source>{1} of the surface would only be cut by a tip below the lowest level: allow it by 'Below the bottom', where nothing holds the stock there</source>
+        <translation>{1} der Oberfläche würde nur eine Spitze unter der tiefsten Höhenlinie fräsen: mit 'Unter dem Boden' zulassen, wo dort nichts das Rohteil hält</translation>
     </message>
     <message>
         <source>{1} of what is to be cut is left uncut, up to {2} ({3}), limit {4}</source>
@@ -9597,6 +9701,10 @@
     <message>
         <source>Goes on with another scan where this one ends; the two overlap.</source>
         <translation>Setzt diesen Scan, wo er endet, mit einem anderen fort; die beiden überlappen sich.</translation>
+    </message>
+    <message>
+        <source>Goes round steep walls and flanks at one height after another</source>
+        <translation>Umfährt steile Wände und Flanken Höhe um Höhe</translation>
     </message>
     <message>
         <source>Gouge</source>

@@ -440,6 +440,10 @@
         <translation>Choix des niveaux</translation>
     </message>
     <message>
+        <source>Choosing levels</source>
+        <translation>Choix des niveaux</translation>
+    </message>
+    <message>
         <source>Chord tolerance</source>
         <translation>Tolérance de corde</translation>
     </message>
@@ -800,6 +804,10 @@
         <translation>Dents</translation>
     </message>
     <message>
+        <source>Following levels</source>
+        <translation>Suivi des niveaux</translation>
+    </message>
+    <message>
         <source>Following the assumed path</source>
         <translation>Suivi du parcours supposé</translation>
     </message>
@@ -894,6 +902,10 @@
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Height between neighbouring levels: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
+        <translation>Hauteur entre deux niveaux voisins : adaptatif est partout la plus grande que la tolérance permet ; une longueur est respectée quelles que soient les crêtes qu'elle laisse.</translation>
     </message>
     <message>
         <source>Height of rapid moves above the highest of part and stock.</source>
@@ -1118,6 +1130,10 @@
     <message>
         <source>Largest inclination on a part that is cut side by side, for pieces with places that no inclination within the lead limits reaches: undersides, faces of blades behind others. No larger than the upper lead limit: these are left, and said.</source>
         <translation>Plus grande inclinaison sur une pièce usinée côté par côté, pour des morceaux dont des endroits ne sont atteints par aucune inclinaison dans les limites : dessous, aubes derrière d'autres. Si elle ne dépasse pas la limite haute, ils sont laissés, et c'est dit.</translation>
+    </message>
+    <message>
+        <source>Largest step-down</source>
+        <translation>Plus grande descente</translation>
     </message>
     <message>
         <source>Largest turn of the surface normal between neighbouring points of a pass{1}.</source>
@@ -1876,6 +1892,14 @@
         <translation>Pente à laquelle descendent rampes et hélices.</translation>
     </message>
     <message>
+        <source>Slope limits</source>
+        <translation>Limites de pente</translation>
+    </message>
+    <message>
+        <source>Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. What is less steep is for parallel passes.</source>
+        <translation>Pentes qui sont usinées, depuis l'horizontale : 0 est un fond, 90 degrés une paroi. Ce qui est moins raide est pour des passes parallèles.</translation>
+    </message>
+    <message>
         <source>Smallest and largest inclination of the tool axis from the surface normal towards the travel.</source>
         <translation>Plus petite et plus grande inclinaison de l'axe d'outil depuis la normale vers le sens de l'avance.</translation>
     </message>
@@ -1962,6 +1986,10 @@
     <message>
         <source>Step of inclination and yaw in the configuration space.</source>
         <translation>Pas de l'inclinaison et du lacet dans l'espace des configurations.</translation>
+    </message>
+    <message>
+        <source>Step-down</source>
+        <translation>Descente en Z</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -2078,6 +2106,10 @@
     <message>
         <source>The OBJ file has curves or surfaces beside its facets; they were ignored.</source>
         <translation>Le fichier OBJ a des courbes ou surfaces à côté de ses facettes ; elles ont été ignorées.</translation>
+    </message>
+    <message>
+        <source>The adaptive step-down is no larger than this. auto is the cutter's diameter.</source>
+        <translation>La descente adaptative ne dépasse pas cette valeur. auto est le diamètre de la fraise.</translation>
     </message>
     <message>
         <source>The attribute words of the binary STL file are not zero (colours of some writers); they were ignored.</source>
@@ -2402,6 +2434,10 @@
     <message>
         <source>View direction</source>
         <translation>Direction de vue</translation>
+    </message>
+    <message>
+        <source>Waterline</source>
+        <translation>Niveaux constants</translation>
     </message>
     <message>
         <source>What cutter, shank and holder keep from it, in cuts and in rapids.</source>
@@ -2800,6 +2836,10 @@
         <translation>une pièce de {1} sur {2} demande plus de {3} places de cet outil</translation>
     </message>
     <message>
+        <source>a part of {1} by {2} asks for too many places of this tool</source>
+        <translation>une pièce de {1} sur {2} demande trop de positions de cet outil</translation>
+    </message>
+    <message>
         <source>a pass goes {1} into the allowance at {2}</source>
         <translation>une passe entre de {1} dans la surépaisseur à {2}</translation>
     </message>
@@ -2842,6 +2882,10 @@
     <message>
         <source>a step of kind {1} does not read it</source>
         <translation>une étape du type {1} ne le lit pas</translation>
+    </message>
+    <message>
+        <source>a step-down of {1} makes more than {2} levels</source>
+        <translation>une descente de {1} donne plus de {2} niveaux</translation>
     </message>
     <message>
         <source>a step-over of {1} makes</source>
@@ -3018,6 +3062,10 @@
     <message>
         <source>allow a larger one</source>
         <translation>en permettre une plus grande</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or set a step-down</source>
+        <translation>permettez une plus grande tolérance ou donnez une descente</translation>
     </message>
     <message>
         <source>allow a larger tolerance or set a step-over</source>
@@ -3328,6 +3376,10 @@
         <translation>vérifier les unités de la pièce</translation>
     </message>
     <message>
+        <source>check the part's units, or take a larger tool</source>
+        <translation>vérifiez l'unité de la pièce, ou prenez un outil plus grand</translation>
+    </message>
+    <message>
         <source>check the part's units, or take a larger tool or step-over</source>
         <translation>vérifier les unités de la pièce, ou prendre outil ou pas latéral plus grands</translation>
     </message>
@@ -3406,6 +3458,10 @@
     <message>
         <source>choose a larger side feed or tolerance</source>
         <translation>choisir une avance latérale ou une tolérance plus grande</translation>
+    </message>
+    <message>
+        <source>choose a larger step-down</source>
+        <translation>choisissez une plus grande descente</translation>
     </message>
     <message>
         <source>choose a larger step-over</source>
@@ -4980,6 +5036,10 @@
         <translation>aucune attaque jusqu'à {1} n'est libre</translation>
     </message>
     <message>
+        <source>no level lies within it</source>
+        <translation>aucun niveau n'y passe</translation>
+    </message>
+    <message>
         <source>no lines of this tool leave as little as {1}</source>
         <translation>aucune ligne de cet outil ne laisse aussi peu que {1}</translation>
     </message>
@@ -5102,6 +5162,10 @@
     <message>
         <source>nothing of the part lies so far within it that the cutter has room</source>
         <translation>rien de la pièce n'y est assez loin du bord pour que la fraise ait de la place</translation>
+    </message>
+    <message>
+        <source>nothing of the part that can be cut {1} has a slope from {2} to {3} degrees</source>
+        <translation>rien de la pièce qui puisse être usiné {1} n'a une pente de {2} à {3} degrés</translation>
     </message>
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
@@ -6068,6 +6132,10 @@
         <translation>la longueur de l'outil est négative ou n'est pas un nombre</translation>
     </message>
     <message>
+        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
+        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
+    </message>
+    <message>
         <source>the limits {1} are reversed or equal</source>
         <translation>les limites {1} sont inversées ou égales</translation>
     </message>
@@ -6424,6 +6492,10 @@
         <translation>l'étape {1} ne laisse aucune facette</translation>
     </message>
     <message>
+        <source>the step-down of {1} leaves cusps of {2}; the tolerance allows {3}</source>
+        <translation>la descente de {1} laisse des crêtes de {2} ; la tolérance en permet {3}</translation>
+    </message>
+    <message>
         <source>the step-over of {1} leaves cusps of {2}; the tolerance allows {3}</source>
         <translation>le pas latéral de {1} laisse des crêtes de {2} ; la tolérance permet {3}</translation>
     </message>
@@ -6528,6 +6600,10 @@
         <translation>la tolérance demande plus de {1} plans directeurs</translation>
     </message>
     <message>
+        <source>the tolerance asks for {1} levels</source>
+        <translation>la tolérance demande {1} niveaux</translation>
+    </message>
+    <message>
         <source>the tolerance is not above 0</source>
         <translation>la tolérance n'est pas au-dessus de 0</translation>
     </message>
@@ -6562,6 +6638,10 @@
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out</source>
         <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, {1} des passes sont donc omises</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
+        <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -7188,6 +7268,10 @@
         <translation>ce qui tient le brut par dessous</translation>
     </message>
     <message>
+        <source>what is as steep as asked for lies below the bottom of the stock</source>
+        <translation>ce qui est aussi raide que demandé se trouve sous le bas du brut</translation>
+    </message>
+    <message>
         <source>what the setup before leaves is not known yet</source>
         <translation>ce que laisse le posage précédent n'est pas encore connu</translation>
     </message>
@@ -7196,12 +7280,20 @@
         <translation>où la pièce est dite gêner, ce peut être {1}, évités comme la pièce</translation>
     </message>
     <message>
+        <source>widen it or the slope limits, or take a tool that reaches what lies in it</source>
+        <translation>élargissez-la ou les limites de pente, ou prenez un outil qui atteint ce qui s'y trouve</translation>
+    </message>
+    <message>
         <source>widen it, or take a tool that reaches what lies in it</source>
         <translation>l'élargir, ou prendre un outil qui atteint ce qui s'y trouve</translation>
     </message>
     <message>
         <source>widen it, take a smaller tool, or keep only the contact within</source>
         <translation>l'élargir, prendre un outil plus petit, ou ne garder que le contact dedans</translation>
+    </message>
+    <message>
+        <source>widen the slope limits, or finish it by parallel passes</source>
+        <translation>élargissez les limites de pente, ou finissez par des passes parallèles</translation>
     </message>
     <message>
         <source>with corner radius 0 the centre (e, f) must be the corner ({1}, {2})</source>
@@ -7298,6 +7390,10 @@
     <message>
         <source>zigzag cuts neighbouring passes to and fro; oneway all in the same direction.</source>
         <translation>zigzag usine les passes voisines en aller et retour ; sens unique toutes dans la même direction.</translation>
+    </message>
+    <message>
+        <source>zigzag cuts open passes whichever way is nearer; oneway always with the part on the right of the travel (climb milling).</source>
+        <translation>zigzag usine les passes ouvertes dans le sens le plus proche ; un sens toujours avec la pièce à droite de l'avance (en avalant).</translation>
     </message>
     <message>
         <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above the part.</source>
@@ -7510,6 +7606,14 @@
     <message>
         <source>{1} of the surface is cleared by neither path{2}: use a smaller rework tool</source>
         <translation>{1} de la surface ne sont enlevés par aucun parcours{2} : prendre un outil de reprise plus petit</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is less steep than the slope limits and is left to other operations</source>
+        <translation>{1} de la surface sont moins raides que les limites de pente et sont laissés à d'autres opérations</translation>
+    </message>
+    <message>
+        <source>{1} of the surface would only be cut by a tip below the lowest level: allow it by 'Below the bottom', where nothing holds the stock there</source>
+        <translation>{1} de la surface ne seraient usinés que par une pointe sous le niveau le plus bas : permettez-le par 'Sous le fond', là où rien n'y tient le brut</translation>
     </message>
     <message>
         <source>{1} of what is to be cut is left uncut, up to {2} ({3}), limit {4}</source>
@@ -9597,6 +9701,10 @@
     <message>
         <source>Goes on with another scan where this one ends; the two overlap.</source>
         <translation>Continue par un autre scan là où celui-ci finit ; les deux se recouvrent.</translation>
+    </message>
+    <message>
+        <source>Goes round steep walls and flanks at one height after another</source>
+        <translation>Contourne parois et flancs raides, une hauteur après l'autre</translation>
     </message>
     <message>
         <source>Gouge</source>

@@ -163,6 +163,20 @@ constexpr std::uint64_t first_with_setups = 403;
 /// Seeds below stand for jobs without boundaries.
 constexpr std::uint64_t first_with_boundaries = 2000;
 
+/// Seeds below stand for jobs of the kinds that there were first.
+constexpr std::uint64_t first_with_later_kinds = 3000;
+
+/// Kinds that came after seeds had been kept for what they had found: each would make another job of every
+/// seed.
+const std::vector<OperationKind>& kinds_for(std::uint64_t seed) {
+    static const auto first = [] {
+        std::vector<OperationKind> kinds = operation_kinds();
+        std::erase_if(kinds, [](const OperationKind& k) { return k.kind == "waterline"; });
+        return kinds;
+    }();
+    return seed < first_with_later_kinds ? first : operation_kinds();
+}
+
 /// A region of any kind, which some operations keep within, or keep off.
 void add_boundaries(Random& rng, Project& project, const Mesh& part) {
     Boundary b;
@@ -235,8 +249,8 @@ Project random_job(std::uint64_t seed, const std::filesystem::path& folder, std:
         project.tools.push_back(any_tool(rng, n));
     const int operations = whole(rng, 1, 2);
     for (int i = 0; i < operations; ++i) {
-        const OperationKind& kind =
-            operation_kinds()[std::size_t(whole(rng, 0, int(operation_kinds().size()) - 1))];
+        const auto& kinds = kinds_for(seed);
+        const OperationKind& kind = kinds[std::size_t(whole(rng, 0, int(kinds.size()) - 1))];
         auto op = kind.make();
         vary(rng, *op, 0.15);
         op->common().tool = whole(rng, 1, tools);

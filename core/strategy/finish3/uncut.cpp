@@ -47,8 +47,8 @@ struct Line {
     std::vector<std::vector<LinePoint>> runs; ///< s is u, never falling
 };
 
-/// The cutter as the passes move it, endless upward.
-class Swept {
+/// Passes in drive planes.
+class Swept : public SweptPasses {
 public:
     Swept(const UncutInput& input, std::span<const Pass> passes, const Progress& progress)
         : frame_(input.frame), profile_(input.cover->profile()), radius_(input.cover->radius()) {
@@ -67,9 +67,7 @@ public:
         }
     }
 
-    /// Lowest height that the cutter comes down to over q, or any height not above `enough`. Places near
-    /// `hint` are looked at first.
-    double lowest(const Vec3& q, const Vec3& hint, double enough) const {
+    double lowest(const Vec3& q, const Vec3& hint, double enough) const override {
         const double v_q = frame_.v(q), v = frame_.v(hint), u = frame_.u(hint);
         auto after = std::lower_bound(lines_.begin(), lines_.end(), v,
                                       [](const Line& l, double x) { return l.v < x; });
@@ -158,8 +156,10 @@ private:
 class Search {
 public:
     Search(const UncutInput& input, const Progress& progress)
-        : in_(input), up_(*input.mesh, progress), swept_(input, input.passes, progress),
-          left_out_(input, input.left_out, progress), facets_(facet_boxes(input.contact->mesh()), progress),
+        : in_(input), up_(*input.mesh, progress), own_(input, input.passes, progress),
+          own_left_out_(input, input.left_out, progress), swept_(input.swept ? *input.swept : own_),
+          left_out_(input.swept_left_out ? *input.swept_left_out : own_left_out_),
+          facets_(facet_boxes(input.contact->mesh()), progress),
           needle_(input.contact,
                   CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
           limit_(2 * input.cover->radius()) {
@@ -190,6 +190,7 @@ public:
             [](UncutReport a, const UncutReport& b) {
                 a.area += b.area;
                 a.samples += b.samples;
+                a.below += b.below;
                 for (auto places : {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::held,
                                     &UncutReport::covered}) {
                     UncutPlaces& mine = a.*places;
@@ -225,12 +226,17 @@ private:
         // far above p.
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
         if (passes_hold(p + in_.allowed * n, tip)) return;
+        if (tip.z() < in_.lowest_tip) {
+            report.below += area;
+            return;
+        }
         UncutPlaces* places = &report.out_of_reach;
         const Vec3 highest = p + in_.allowed * n;
-        if (!in_.left_out.empty() && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
+        if ((in_.swept_left_out || !in_.left_out.empty())
+            && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
             places = &report.held;
         } else if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
-            if (!up_.closed()) return;
+            if (!up_.closed() && !in_.outside_up) return;
             places = &report.covered;
         } else {
             // Standing where it would touch the facet's plane at p: how much does the part around lift it?
@@ -283,7 +289,8 @@ private:
 
     const UncutInput& in_;
     UpwardFacets up_;
-    Swept swept_, left_out_;
+    Swept own_, own_left_out_;
+    const SweptPasses &swept_, &left_out_;
     BoxTree facets_;
     AxialLift needle_;
     double limit_, spacing_ = 1;

@@ -22,6 +22,15 @@
 
 namespace facetmill {
 
+/// The cutter as passes move it, endless upward.
+class SweptPasses {
+public:
+    virtual ~SweptPasses() = default;
+    /// Lowest height that it comes down to over q, or any height not above `enough`. Places near `hint`, a
+    /// tip, are looked at first. Any thread may ask.
+    virtual double lowest(const Vec3& q, const Vec3& hint, double enough) const = 0;
+};
+
 struct UncutInput {
     const Mesh* mesh = nullptr;
     ContactIndexPtr contact;
@@ -33,6 +42,11 @@ struct UncutInput {
     double top = 0;       ///< height of the stock, for places that no pass comes over
     std::span<const Pass> passes;
     std::span<const Pass> left_out; ///< for shank and holder
+    /// Both instead of those above, for passes that lie in no drive planes.
+    const SweptPasses *swept = nullptr, *swept_left_out = nullptr;
+    /// The facets are some of a closed mesh, wound with the outside up: what lies under the part counts.
+    bool outside_up = false;
+    double lowest_tip = -infinity; ///< places that only a lower tip would touch do not count
 };
 
 struct UncutPlaces {
@@ -46,6 +60,7 @@ struct UncutPlaces {
 struct UncutReport {
     double area = 0; ///< all facets that were looked at, mm^2
     UncutPlaces out_of_reach, passed_by, held, covered;
+    double below = 0; ///< of it, what only a tip below the lowest would touch and is not cut, mm^2
     std::size_t samples = 0;
 };
 

@@ -1,0 +1,36 @@
+// The cutter as the passes of any course move it, endless upward: for what they leave (uncut.h). Millimetres,
+// part coordinates.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/strategy/finish3/uncut.h"
+#include "core/strategy/surface/point_grid.h"
+
+#include <map>
+#include <vector>
+
+namespace facetmill {
+
+class LevelSweep : public SweptPasses {
+public:
+    /// `profile` has to live as long as this.
+    LevelSweep(std::span<const Pass> passes, const CutterProfile& profile, const Progress& progress);
+
+    double lowest(const Vec3& q, const Vec3& hint, double enough) const override;
+
+private:
+    struct Piece {
+        Vec3 a, b;
+    };
+    void add(const Vec3& a, const Vec3& b);
+    double over(const Piece& piece, const Vec3& q) const;
+    std::pair<long, long> tile(const Vec2& p) const;
+
+    const CutterProfile& profile_;
+    double radius_;
+    std::vector<Piece> pieces_;
+    PointGrid middles_;
+    std::map<std::pair<long, long>, std::vector<std::uint32_t>> tiles_; ///< lowest pieces first
+};
+
+} // namespace facetmill
