@@ -259,6 +259,56 @@ private slots:
         QVERIFY(collisions(unasked) > 0);
     }
 
+    /// A ball went along a wall that is higher than the flutes and left a skin of half the tolerance on it.
+    /// The shank of a smaller one, as thick as its cutter, would rub there: it cleans the wall's foot a
+    /// little away from it, and its shank meets nothing.
+    void beside_a_skin_on_a_wall_its_foot_is_cut() {
+        const Mesh part = tall_wall(0);
+        Tool tool = short_tool();
+        tool.holder.clear();
+        tool.shank_length = 40;
+        PlanContext context = context_of(part, tool);
+        context.further_tools = {ball_tool(12)};
+        context.stock_box.hi.z() += 1;
+        context.stock.box = context.stock_box; // as it is judged
+        std::vector<VerifyProgram> programs;
+        const auto went = [&](Tool by, std::initializer_list<double> ys) {
+            by.flute_length = 40;
+            auto earlier = std::make_shared<EarlierCuts>();
+            earlier->cutter = by.cutter();
+            auto motions = std::make_shared<ToolMotions>();
+            for (const double y : ys) {
+                const Vec3 a(-24, y, 0), b(24, y, 0), over(0, 0, 40);
+                earlier->motions.push_back({a, b});
+                for (const auto& [kind, tip] :
+                     {std::pair(MotionKind::rapid, Vec3(a + over)), std::pair(MotionKind::approach, a),
+                      std::pair(MotionKind::cut, b), std::pair(MotionKind::retract, Vec3(b + over))})
+                    motions->motions.push_back({kind, {tip, Vec3::UnitZ()}});
+            }
+            context.earlier.push_back(earlier);
+            programs.push_back({"Before", VerifyTool(by), motions, {}});
+        };
+        went(flat_tool(8), {-34, -26, -18, -10.1});
+        went(ball_tool(12), {-6 - 0.5 * tau});
+        CleanupSettings s;
+        s.tool = 2;
+        s.tolerance = tau;
+        const Cleanup op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        double along = 0;
+        for (const Pass& pass : path.passes)
+            for (std::size_t i = 1; i < pass.cl.size(); ++i) {
+                const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
+                if (std::min(a.y(), b.y()) > -2.5 && std::max(a.z(), b.z()) < tau)
+                    along += std::abs(b.x() - a.x());
+            }
+        QVERIFY2(along > 25, qPrintable(QString::number(along)));
+        programs.push_back(program_of(op, path, context));
+        const Verification v = judged(part, programs, path.chord_tolerance);
+        QVERIFY(!v.gouged());
+        QCOMPARE(v.collisions.size(), std::size_t(0));
+    }
+
     /// Around places on a dish that every tool fits into.
     void places_that_were_left_are_cut() {
         const Mesh dish = height_field([](double x, double y) { return 0.01 * (x * x + y * y); },

@@ -5,6 +5,7 @@
 #include "core/strategy/cleanup/cleanup_job.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/pass_leads.h"
+#include "core/strategy/cleanup/passes_aside.h"
 #include "core/strategy/cleanup/strip_search.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"
@@ -21,6 +22,9 @@ namespace {
 
 /// Points of all passes, before those that take nothing away are left out.
 constexpr std::size_t max_cleanup_points = 3'000'000;
+/// Where shank or holder would come into what stands, passes are moved by so many times the tolerance: the
+/// cusps that finishing left on a wall are no higher.
+constexpr double aside_share = 2;
 
 const OperationRegistration registration("cleanup", "Clean-up", [] { return std::make_unique<Cleanup>(); });
 
@@ -144,8 +148,11 @@ private:
             const Vec3 point = job_.lift.contact(tip.x(), tip.y()).point;
             return CutterContact{point, job_.cover.contact_normal(point - tip).value_or(Vec3::UnitZ())};
         };
-        auto clear =
-            keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact, progress);
+        const PassesInstead aside = [&](const Pass& held) {
+            return passes_aside(job_, held, aside_share * job_.cusp, progress);
+        };
+        auto clear = keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact,
+                                              progress, aside);
         if (!clear) return;
         beside_stock_ = std::move(*clear);
         if (result_.passes.empty() && !beside_stock_.left.empty())

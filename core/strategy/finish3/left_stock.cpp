@@ -14,6 +14,8 @@ namespace {
 /// How often passes are tried that something stood in the way of: each time what the others cut since is
 /// gone, and mostly nothing is left for a third.
 constexpr int max_rounds = 4;
+/// How often others are asked for in the place of what is held up.
+constexpr int instead_rounds = 2;
 /// The cells in which shank and holder see what stands, and the points over those that a wall crosses, in
 /// radii of the cutter: a touch of four thousandths is as large as several points.
 constexpr double cell_share = 0.04, fine_share = 0.005;
@@ -160,46 +162,92 @@ double LeftStock::free_height(const Vec3& a, const Vec3& b) const {
     return field_.highest_near(a.head<2>(), b.head<2>(), widest_, floor) - lowest_base_;
 }
 
-ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
-                                 const ContactAt& contact, const Progress& progress) {
-    ClearOfStock result;
-    std::optional<Vec3> end;
-    for (int round = 0; round < max_rounds && !passes.empty(); ++round) {
+namespace {
+
+/// Follows passes one after the other, where the tool ends in between.
+class PassesFollowed {
+public:
+    PassesFollowed(LeftStock& stock, double shortest, const ContactAt& contact, const Progress& progress)
+        : stock_(stock), shortest_(shortest), contact_(contact), progress_(progress) {}
+
+    /// What is held up of them.
+    std::vector<Pass> follow(std::vector<Pass> passes) {
         std::vector<Pass> held;
-        result.lack = 0;
-        const std::size_t kept_before = result.kept.size();
         for (Pass& pass : passes) {
-            progress.check();
+            progress_.check();
             if (pass.cl.empty()) continue;
             const std::vector<double> arc = arc_lengths(pass);
-            PassFollower follower(pass, stock, std::min(shortest, arc.back()), end, progress);
-            const std::vector<Interval> kept = follower.run(arc);
-            result.lack = std::max(result.lack, follower.lack());
-            if (kept.size() == 1 && kept[0].lo <= 0 && kept[0].hi >= arc.back()) {
+            PassFollower follower(pass, stock_, std::min(shortest_, arc.back()), end_, progress_);
+            const std::vector<Interval> ranges = follower.run(arc);
+            lack = std::max(lack, follower.lack());
+            if (ranges.size() == 1 && ranges[0].lo <= 0 && ranges[0].hi >= arc.back()) {
                 pass.from_above = follower.from_above()[0];
-                result.kept.push_back(std::move(pass));
+                kept.push_back(std::move(pass));
                 continue;
             }
-            std::vector<Pass> pieces = pieces_of(pass, arc, kept, contact);
+            std::vector<Pass> pieces = pieces_of(pass, arc, ranges, contact_);
             for (std::size_t k = 0; k < pieces.size(); ++k) {
                 pieces[k].from_above = follower.from_above()[k];
-                result.kept.push_back(std::move(pieces[k]));
+                kept.push_back(std::move(pieces[k]));
             }
-            for (Pass& piece : pieces_of(pass, arc, gaps_between(kept, arc.back()), contact))
+            for (Pass& piece : pieces_of(pass, arc, gaps_between(ranges, arc.back()), contact_))
                 held.push_back(std::move(piece));
         }
-        passes = std::move(held);
-        if (result.kept.size() == kept_before) break;
+        return held;
     }
+
+    std::vector<Pass> kept;
+    double lack = 0;
+
+private:
+    LeftStock& stock_;
+    double shortest_;
+    const ContactAt& contact_;
+    const Progress& progress_;
+    std::optional<Vec3> end_;
+};
+
+double length_of(std::span<const Pass> passes) {
+    double sum = 0;
     for (const Pass& pass : passes)
-        if (!pass.cl.empty()) result.left_length += arc_lengths(pass).back();
+        if (!pass.cl.empty()) sum += arc_lengths(pass).back();
+    return sum;
+}
+
+} // namespace
+
+ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
+                                 const ContactAt& contact, const Progress& progress,
+                                 const PassesInstead& instead) {
+    PassesFollowed followed(stock, shortest, contact, progress);
+    for (int round = 0; round < max_rounds && !passes.empty(); ++round) {
+        followed.lack = 0;
+        const std::size_t kept_before = followed.kept.size();
+        passes = followed.follow(std::move(passes));
+        if (followed.kept.size() == kept_before) break;
+    }
+    ClearOfStock result;
+    result.lack = followed.lack;
+    result.left_length = length_of(passes);
+    const std::size_t own = followed.kept.size();
+    std::vector<Pass> held = passes;
+    for (int round = 0; instead && round < instead_rounds; ++round) {
+        std::vector<Pass> others;
+        for (const Pass& pass : held)
+            for (Pass& other : instead(pass))
+                others.push_back(std::move(other));
+        held = followed.follow(std::move(others));
+    }
+    result.left_length = std::max(0.0, result.left_length - length_of(std::span(followed.kept).subspan(own)));
     result.left = std::move(passes);
+    result.kept = std::move(followed.kept);
     return result;
 }
 
 std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, const PlanContext& context,
                                                      double radius, double tolerance,
-                                                     const ContactAt& contact, const Progress& progress) {
+                                                     const ContactAt& contact, const Progress& progress,
+                                                     const PassesInstead& instead) {
     // Nothing is known of a stock: nothing is asked.
     if (context.stock.box.empty() && context.earlier.empty()) return std::nullopt;
     double lowest = infinity;
@@ -210,7 +258,7 @@ std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, 
     LeftStock stock(context, cell_share * radius, fine_share * radius, skin_share * tolerance, lowest,
                     progress);
     ClearOfStock clear =
-        keep_clear_of_stock(std::move(passes), stock, shortest_piece * radius, contact, progress);
+        keep_clear_of_stock(std::move(passes), stock, shortest_piece * radius, contact, progress, instead);
     passes = std::move(clear.kept);
     return clear;
 }

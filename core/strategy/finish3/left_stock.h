@@ -52,22 +52,28 @@ private:
     double widest_ = 0;
 };
 
+/// Passes that may be cut in the place of one that is held up, as clear of the part as it is: beside it, say.
+using PassesInstead = std::function<std::vector<Pass>(const Pass& held)>;
+
 /// What shank and holder keep passes from because something stands there.
 struct ClearOfStock {
     std::vector<Pass> kept, left;
-    double left_length = 0; ///< mm
+    double left_length = 0; ///< mm, less what is cut instead
     double lack = 0;        ///< mm: flutes longer by this would reach all of it
 };
 
-/// Follows the passes in their order. Pieces shorter than `shortest` are left out.
+/// Follows the passes in their order. Pieces shorter than `shortest` are left out. What is held up in the end
+/// is asked for others, and so are these, once more.
 ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
-                                 const ContactAt& contact, const Progress& progress);
+                                 const ContactAt& contact, const Progress& progress,
+                                 const PassesInstead& instead = nullptr);
 
 /// The same through the stock as operations before left it, for passes of an operation with this tolerance
 /// and a cutter of this radius. Nothing where nothing is known of a stock, or none is higher than the flutes.
 std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, const PlanContext& context,
                                                      double radius, double tolerance,
-                                                     const ContactAt& contact, const Progress& progress);
+                                                     const ContactAt& contact, const Progress& progress,
+                                                     const PassesInstead& instead = nullptr);
 /// Warning of what was left out, and what would reach it.
 std::string beside_stock_warning(const ClearOfStock& clear, const PlanContext& context);
 [[noreturn]] void refuse_beside_stock(const std::string& operation, const ClearOfStock& clear,
