@@ -190,8 +190,10 @@ test::NaiveResult naive(const Job& job, const VerifySettings& used, double coars
         radius = std::min(radius, 0.5 * cutter.d);
     }
     test::NaiveOptions options;
-    // A few hundred thousand samples.
-    options.spacing = coarse * std::max(0.1 * radius, job.part->box.size().norm() / 500);
+    // A few hundred thousand samples; closer than the bands are wide that the smallest ball leaves at the
+    // feet of walls, or facets that have one sample each are uncut as a whole.
+    options.spacing =
+        std::min(coarse * std::max(0.1 * radius, job.part->box.size().norm() / 500), 0.6 * radius);
     options.pose_share = std::min(0.1, 0.025 * coarse);
     options.tolerance = used.tolerance;
     options.stock = job.stock.box;
