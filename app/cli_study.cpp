@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/study/local_workers.h"
+#include "core/study/slurm.h"
 #include "core/study/study_results.h"
 #include "core/study/study_run.h"
 #include "facetmill_version.h"
@@ -61,17 +62,71 @@ StudyWorkers study_workers(const StudyFolder& folder, const Arguments& arguments
     return workers;
 }
 
-void carry_out(const StudyFolder& folder, const Arguments& arguments, Session& session) {
-    const std::string on = arguments.value("--on", "local");
-    if (on != "local")
-        throw Error(ErrorCode::usage, "--on", "'" + printable(on) + "' is no place to work", "give local");
-    const StudyOutcome outcome =
-        run_study(folder, work_by_processes(study_workers(folder, arguments)), session.progress());
+/// Workers on another machine that sees the folder under the same name, each begun by ssh.
+StudyWorkers remote_workers(const StudyFolder& folder, const Arguments& arguments, const std::string& host) {
+    if (host.empty() || host[0] == '-')
+        throw Error(ErrorCode::usage, "--on", "'" + printable(host) + "' is no host", "give ssh:HOST");
+    StudyWorkers workers = study_workers(folder, arguments);
+    const std::string program = arguments.value("--remote-program", workers.program.string());
+    workers.program = program_on_path("ssh");
+    if (workers.program.empty())
+        throw Error(ErrorCode::not_found, "ssh", "there is no such program",
+                    "install it (Debian: openssh-client), or give --on local");
+    const auto local = workers.arguments;
+    workers.arguments = [=](const StudyWork& w) {
+        std::string command = "exec " + shell_word(program);
+        for (const std::string& word : local(w))
+            command += " " + shell_word(word);
+        return std::vector<std::string>{"-o", "BatchMode=yes", "-o", "ConnectTimeout=20", host, command};
+    };
+    workers.judge_status = [=](int status) {
+        constexpr int no_connection = 255, no_program = 127, no_right = 126;
+        const std::string where = "ssh:" + printable(host, 200);
+        if (status == no_connection)
+            throw Error(ErrorCode::not_found, where, "the host cannot be reached without a password",
+                        "see what ssh says to it");
+        if (status == no_program || status == no_right)
+            throw Error(ErrorCode::not_found, where, "there is no program " + printable(program, 200),
+                        "install the same one there, or name it: --remote-program");
+    };
+    return workers;
+}
+
+void conclude(const StudyFolder& folder, const StudyOutcome& outcome, Session& session) {
     write_study(folder, outcome, [&] { session.print(study_summary(folder, outcome)); });
     if (!outcome.lost.empty())
         session.say(std::to_string(outcome.lost.size()) + " candidates were lost ("
                     + outcome.lost.begin()->second + "): study resume asks for them again");
     check_winner(folder, outcome);
+}
+
+void go_on_by_slurm(const StudyFolder& folder, const Arguments& arguments, Session& session) {
+    SlurmSettings settings;
+    settings.program = fs::read_symlink("/proc/self/exe");
+    settings.threads = count_of(arguments, "--threads", 1);
+    if (arguments.has("--workers")) settings.workers = count_of(arguments, "--workers", 1);
+    const SlurmRun run = go_on_with_slurm(folder, settings, session.progress());
+    if (!run.step) return conclude(folder, run.outcome, session);
+    session.print(pretty_json(Json{{"folder", printable(folder.path().string(), 400)},
+                                   {"step", run.step->number},
+                                   {"looks", run.outcome.decision.missing.size()},
+                                   {"array_job", run.step->array},
+                                   {"gather_job", run.step->gather}}));
+}
+
+void carry_out(const StudyFolder& folder, const Arguments& arguments, Session& session) {
+    const std::string on = arguments.value("--on", "local");
+    if (on == "slurm") {
+        begin_slurm(folder);
+        return go_on_by_slurm(folder, arguments, session);
+    }
+    constexpr std::string_view ssh = "ssh:";
+    if (on != "local" && !on.starts_with(ssh))
+        throw Error(ErrorCode::usage, "--on", "'" + printable(on) + "' is no place to work",
+                    "give local, slurm or ssh:HOST");
+    const StudyWorkers workers = on == "local" ? study_workers(folder, arguments)
+                                               : remote_workers(folder, arguments, on.substr(ssh.size()));
+    conclude(folder, run_study(folder, work_by_processes(workers), session.progress()), session);
 }
 
 void run_begin(const Arguments& arguments, Session& session) {
@@ -138,8 +193,10 @@ void run_study_command(const Arguments& arguments, Session& session) {
     if (what == "show") return run_show(arguments, session);
     if (what == "adopt") return run_adopt(arguments, session);
     if (what == "work") return run_work(arguments, session);
+    if (what == "gather")
+        return go_on_by_slurm(StudyFolder(arguments.operand(1), study_program()), arguments, session);
     throw Error(ErrorCode::usage, "study", "'" + printable(what) + "' is nothing that is done with a study",
-                "give run and a study, or resume, show, adopt or work and its folder");
+                "give run and a study, or resume, show or adopt and its folder");
 }
 
 } // namespace
@@ -147,28 +204,35 @@ void run_study_command(const Arguments& arguments, Session& session) {
 Command study_command() {
     return {
         .name = "study",
-        .operands = {"run|resume|show|adopt|work", "STUDY|FOLDER"},
+        .operands = {"run|resume|show|adopt|work|gather", "STUDY|FOLDER"},
         .summary = "Plans and verifies candidates of a project's settings, and finds the best of them.",
         .help =
-            "run STUDY works on a study (a JSON file: core/study/README.md) in a folder: NAME.study beside "
-            "it,\n"
+            "run STUDY works on a study (a JSON file: core/study/README.md) in a folder, NAME.study beside "
+            "it\n"
             "or -o. resume FOLDER goes on after whatever ended that; what was found is found. show FOLDER\n"
             "prints what is known so far. adopt FOLDER -o PROJECT writes the project of the winner, or of\n"
-            "--candidate. work FOLDER --candidate KEY --rung R looks at one candidate: what run starts.\n"
-            "The folder gets study.json, table.md and table.csv; the winner, the front and the project as "
-            "it\n"
-            "stands are printed. Exit status 1 where no candidate meets the limits: the nearest is named.",
+            "--candidate. The folder gets study.json, table.md and table.csv; the winner, the front and the\n"
+            "project as it stands are printed. Exit status 1 where no candidate meets the limits: the\n"
+            "nearest is named. --on slurm hands candidates to a cluster as job arrays, and ends; show tells\n"
+            "how far it is. --on ssh:HOST begins workers there. All see the folder under the same name.\n"
+            "work FOLDER --candidate KEY --rung R looks at one candidate, gather FOLDER hands over the next\n"
+            "ones: what these begin.",
         .options =
             {{.name = "-o",
               .value = "PLACE",
               .help = "run: the folder to work in; adopt: the project's file to write"},
-             {.name = "--on", .value = "WHERE", .help = "run, resume: local (the default)"},
+             {.name = "--on",
+              .value = "WHERE",
+              .help = "run, resume: local (the default), slurm or ssh:HOST"},
              {.name = "--workers",
               .value = "N",
               .help = "run, resume: processes at once; results do not depend on it (default: all cores)"},
              {.name = "--candidate", .value = "K", .help = "adopt: its number in table.md; work: its key"},
              {.name = "--rung", .value = "R", .help = "work: estimate, coarse or fine (default)"},
              {.name = "--ends-with-parent", .help = "work: ends when the process that began it ends"},
+             {.name = "--remote-program",
+              .value = "PROGRAM",
+              .help = "this program on the host of ssh:HOST (default: the same place)"},
              threads_option()},
         .run = run_study_command};
 }

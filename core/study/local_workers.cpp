@@ -101,6 +101,7 @@ private:
             if (error->code() != ErrorCode::internal) throw Error(*error);
             return lose(ended.asked, error->what());
         }
+        if (workers_.judge_status) workers_.judge_status(status);
         int& times = ended_from_without(status) ? ended.asked.ended : ended.asked.crashed;
         const int most = ended_from_without(status) ? max_ended : max_crashed;
         if (++times < most) return waiting_.push_back(std::move(ended.asked));

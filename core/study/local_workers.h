@@ -18,6 +18,9 @@ struct StudyWorkers {
     std::filesystem::path program;
     /// The words after the program's name for a look at a candidate.
     std::function<std::vector<std::string>(const StudyWork&)> arguments;
+    /// Throws where a worker that ended with this status and said nothing tells something of them all; may be
+    /// empty.
+    std::function<void(int status)> judge_status = nullptr;
 };
 
 /// One that was ended from without is asked again, five times in all; one that crashed once more. What it is

@@ -1,5 +1,6 @@
 // Studies on the command line: workers as processes, killed at any time, and what comes of it.
 #include "tests/golden/run_cli.h"
+#include "tests/golden/study_job.h"
 #include "tests/support/test_runner.h"
 
 #include <QDir>
@@ -15,36 +16,10 @@ using namespace facetmill::test;
 
 namespace {
 
-const char* const study_part = R"(solid roof
-facet normal 0 0 1 outer loop vertex 0 0 0 vertex 20 0 0 vertex 20 10 4 endloop endfacet
-facet normal 0 0 1 outer loop vertex 0 0 0 vertex 20 10 4 vertex 0 10 4 endloop endfacet
-facet normal 0 0 1 outer loop vertex 0 10 4 vertex 20 10 4 vertex 10 20 0 endloop endfacet
-endsolid roof
-)";
-
-const char* const study_project_text = R"({ "facetmill": 1, "units": "mm", "part": { "file": "roof.stl" },
-    "stock": { "kind": "box", "margin": [4, 4, 1] },
-    "tools": [ { "number": 1, "diameter": 10, "corner_radius": 5, "flute_length": 20, "shank_length": 20 },
-               { "number": 2, "diameter": 8, "corner_radius": 4, "flute_length": 20, "shank_length": 20 } ],
-    "operations": [ { "kind": "finish3", "name": "Fine", "tool": 2, "tolerance": 0.5, "direction": "y" } ] })";
-
-const char* const study_text =
-    R"({ "study": 1, "project": "job.facetmill", "want": ["machining_time", "excess_max"],
-    "vary": [ { "path": "operations[Fine].direction", "values": ["x", "y"] },
-              { "path": "operations[Fine].tool", "values": "tools" },
-              { "path": "operations[Fine].tolerance", "values": [0.3, 0.5] } ],
-    "limits": { "excess_p95": 0.5 } })";
-
 /// The machining time of "winner" or "project".
 double time_of(const QByteArray& text, const char* which) {
     const QJsonObject measures = json(text)[which].toObject()["measures"].toObject();
     return measures["machining_time"].toDouble();
-}
-
-void fill(const Sandbox& s) {
-    s.write("roof.stl", study_part);
-    s.write("job.facetmill", study_project_text);
-    s.write("study.json", study_text);
 }
 
 } // namespace
@@ -54,7 +29,7 @@ class TestStudyCommand : public QObject {
 private slots:
     void the_answer_does_not_depend_on_workers_or_kills() {
         Sandbox s;
-        fill(s);
+        fill_with_study(s);
         const CliRun one = run_cli({"study", "run", "study.json", "--workers", "1", "-o", "one"}, s.path());
         QVERIFY2(one.status == 0, one.err.constData());
         const QByteArray whole = bytes_of(s.path() + "/one/study.json");
@@ -96,7 +71,7 @@ private slots:
 
     void what_goes_wrong_is_told() {
         Sandbox s;
-        fill(s);
+        fill_with_study(s);
         QCOMPARE(run_cli({"study", "run", "none.json"}, s.path()).code(), QByteArray("not_found"));
         QCOMPARE(run_cli({"study", "walk", "study.json"}, s.path()).status, 2);
         QCOMPARE(run_cli({"study", "run", "study.json", "--on", "moon"}, s.path()).status, 2);
