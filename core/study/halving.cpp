@@ -102,52 +102,62 @@ double largest_miss(const RungResult& result, const std::vector<SetLimit>& limit
 class Decider {
 public:
     Decider(const Study& study, const std::vector<CandidateState>& candidates)
-        : study_(study), candidates_(candidates) {}
+        : study_(study), known_(candidates), seen_(candidates.size()) {
+        for (std::size_t c = 0; c < candidates.size(); ++c)
+            seen_[c].usable = candidates[c].usable;
+    }
 
     StudyDecision decide() {
-        if (!known_at_first()) return decision_;
-        decision_.limits = set_limits(study_, *candidates_[0].at(Rung::fine));
-        std::vector<std::size_t> planned;
-        std::size_t usable = 0;
-        for (std::size_t c = 0; c < candidates_.size(); ++c) {
-            if (!candidates_[c].usable) continue;
-            ++usable;
-            if (meets(c, first_rung(c))) planned.push_back(c);
-        }
-        if (!look_closer(in_order(planned), usable)) return decision_;
-        conclude();
+        follow();
+        decision_.seen = seen_;
         return decision_;
     }
 
 private:
     static constexpr std::size_t project = 0;
 
+    void follow() {
+        if (!known_at_first()) return;
+        decision_.limits = set_limits(study_, *seen_[0].at(Rung::fine));
+        std::vector<std::size_t> planned;
+        std::size_t usable = 0;
+        for (std::size_t c = 0; c < seen_.size(); ++c) {
+            if (!seen_[c].usable) continue;
+            ++usable;
+            if (meets(c, first_rung(c))) planned.push_back(c);
+        }
+        if (look_closer(in_order(planned), usable)) conclude();
+    }
+
     /// The project as it stands is judged finely from the beginning: that holds for its other rungs.
     Rung first_rung(std::size_t c) const { return c == project ? Rung::fine : Rung::estimate; }
     Rung rung_of(std::size_t c, Rung rung) const { return c == project ? Rung::fine : rung; }
 
     bool asks(std::size_t c, Rung rung) {
-        if (candidates_[c].at(rung)) return false;
+        if (const auto& known = known_[c].at(rung)) {
+            seen_[c].rungs[std::size_t(rung)] = known;
+            return false;
+        }
         decision_.missing.push_back({c, rung});
         return true;
     }
 
     bool meets(std::size_t c, Rung rung) const {
-        const auto& result = candidates_[c].at(rung);
+        const auto& result = seen_[c].at(rung);
         return result && result->passed && largest_miss(*result, decision_.limits) == 0;
     }
 
     bool known_at_first() {
-        for (std::size_t c = 0; c < candidates_.size(); ++c)
-            if (candidates_[c].usable) asks(c, first_rung(c));
+        for (std::size_t c = 0; c < seen_.size(); ++c)
+            if (seen_[c].usable) asks(c, first_rung(c));
         return decision_.missing.empty();
     }
 
     /// By what planning tells of all of them, the project's own plan as well.
     std::vector<std::size_t> in_order(const std::vector<std::size_t>& planned) const {
         if (planned.empty() || planned[0] != project)
-            return best_first(study_, candidates_, planned, Rung::estimate);
-        std::vector<CandidateState> alike = candidates_;
+            return best_first(study_, seen_, planned, Rung::estimate);
+        std::vector<CandidateState> alike = seen_;
         RungResult own = *alike[project].at(Rung::fine);
         for (const Measure m : all_measures())
             if (known_from(m) != Rung::estimate) own.measures[m].reset();
@@ -175,7 +185,7 @@ private:
     }
 
     std::vector<std::size_t> coarse_order(const std::vector<std::size_t>& passed) const {
-        std::vector<CandidateState> alike = candidates_;
+        std::vector<CandidateState> alike = seen_;
         alike[project].rungs[std::size_t(Rung::coarse)] = alike[project].at(Rung::fine);
         return best_first(study_, alike, passed, Rung::coarse);
     }
@@ -195,10 +205,10 @@ private:
 
     void conclude() {
         std::vector<std::size_t> passed;
-        for (std::size_t c = 0; c < candidates_.size(); ++c)
-            if (candidates_[c].usable && meets(c, Rung::fine)) passed.push_back(c);
+        for (std::size_t c = 0; c < seen_.size(); ++c)
+            if (seen_[c].usable && meets(c, Rung::fine)) passed.push_back(c);
         if (passed.empty()) return find_nearest();
-        const std::vector<Standing> all = standings(study_, candidates_, passed, Rung::fine);
+        const std::vector<Standing> all = standings(study_, seen_, passed, Rung::fine);
         decision_.winner = all.front().candidate;
         decision_.front = fronts(all).front();
     }
@@ -209,8 +219,8 @@ private:
             double by = 0;
         };
         Miss least;
-        for (std::size_t c = 0; c < candidates_.size(); ++c) {
-            const RungResult* last = candidates_[c].usable ? candidates_[c].last() : nullptr;
+        for (std::size_t c = 0; c < seen_.size(); ++c) {
+            const RungResult* last = seen_[c].usable ? seen_[c].last() : nullptr;
             if (!last) continue;
             const Miss miss{!last->passed, largest_miss(*last, decision_.limits)};
             const bool nearer = miss.not_passed != least.not_passed ? !miss.not_passed : miss.by < least.by;
@@ -221,7 +231,8 @@ private:
     }
 
     const Study& study_;
-    const std::vector<CandidateState>& candidates_;
+    const std::vector<CandidateState>& known_;
+    std::vector<CandidateState> seen_;
     StudyDecision decision_;
 };
 

@@ -47,6 +47,9 @@ struct SetLimit {
 };
 
 struct StudyDecision {
+    /// What was asked for on the way, and no more: looks that are known besides, as after a candidate was
+    /// lost for a while, change nothing.
+    std::vector<CandidateState> seen;
     std::vector<StudyTask> missing; ///< what has to be known before more can be said; empty: all is said
     std::vector<SetLimit> limits;
     std::optional<std::size_t> winner;

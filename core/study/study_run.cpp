@@ -37,8 +37,9 @@ void decide_without_lost(const StudyFolder& folder, StudyOutcome& outcome) {
             outcome.states[task.candidate].rungs[std::size_t(task.rung)] = lost_result(lost->second);
             any = true;
         }
-        if (!any) return;
+        if (!any) break;
     }
+    outcome.states = outcome.decision.seen;
 }
 
 } // namespace

@@ -26,9 +26,9 @@ using StudyEngine = std::function<std::map<std::string, std::string>(
 /// What a study came to.
 struct StudyOutcome {
     std::vector<Candidate> candidates;
-    std::vector<std::string> keys; ///< of each; empty where it is not possible
-    std::vector<std::size_t> same; ///< the first candidate with the same project; of most itself
-    std::vector<CandidateState> states;
+    std::vector<std::string> keys;           ///< of each; empty where it is not possible
+    std::vector<std::size_t> same;           ///< the first candidate with the same project; of most itself
+    std::vector<CandidateState> states;      ///< StudyDecision::seen
     std::map<std::string, std::string> lost; ///< by key
     StudyDecision decision;                  ///< with what is missing, where there is anything
 };

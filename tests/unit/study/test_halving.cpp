@@ -109,6 +109,28 @@ private slots:
         }
     }
 
+    void what_nobody_asked_for_changes_nothing() {
+        std::mt19937 random(8);
+        std::size_t more = 0;
+        for (int round = 0; round < 300; ++round) {
+            KnownStudy s = random_study(random, 2 + std::size_t(round % 25));
+            const StudyDecision whole = s.to_the_end();
+            const std::size_t looks = s.looks;
+            for (std::size_t i = 0; i < s.truth.size(); ++i)
+                for (const Rung rung : all_rungs)
+                    if (s.truth[i].usable && random() % 2 == 0) s.tell({i, rung});
+            more += s.looks - looks;
+            const StudyDecision d = decide(s.study, s.told);
+            QVERIFY(d.missing.empty());
+            QCOMPARE(d.winner, whole.winner);
+            QCOMPARE(d.front, whole.front);
+            QCOMPARE(d.nearest, whole.nearest);
+            for (std::size_t i = 0; i < s.truth.size(); ++i)
+                QVERIFY(d.seen[i].rungs == whole.seen[i].rungs);
+        }
+        QVERIFY(more > 1000);
+    }
+
     void all_looked_at_is_the_best_of_all() {
         std::mt19937 random(6);
         int won = 0;
