@@ -41,6 +41,18 @@ public:
         }
     }
 
+    /// The same until visit(item) is false; whether it never was.
+    template <class Enter, class Visit>
+    bool each_until(Enter&& enter, Visit&& visit) const {
+        for (std::size_t i = 0; i < nodes_.size();) {
+            const Node& node = nodes_[i];
+            const bool in = enter(node.box);
+            if (in && node.next == i + 1 && !visit(node.item)) return false;
+            i = in ? i + 1 : node.next;
+        }
+        return true;
+    }
+
     /// Calls visit(item) for each item whose box is nearer to p than the square root of `near2`, which visit
     /// may make smaller; what is nearer comes first, roughly.
     template <class Visit>

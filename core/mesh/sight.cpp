@@ -21,10 +21,20 @@ MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
 }
 
 bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
-    bool blocked = false;
-    tree_.each([&](const Box3& box) { return !blocked && meets(box, p, d, start_, infinity, start_); },
-               [&](std::size_t facet) { blocked = blocked || hit(facet, p, d) < infinity; });
-    return !blocked;
+    // As `meets`, without a division. Where d has no part along an axis 1 / d is infinite: both sides of a
+    // box that p is beside are then infinitely far ahead, or behind.
+    const Vec3 per = d.cwiseInverse(), lo = p + Vec3::Constant(start_), hi = p - Vec3::Constant(start_);
+    return tree_.each_until(
+        [&](const Box3& box) {
+            double from = start_, to = infinity;
+            for (int k = 0; k < 3; ++k) {
+                const double a = (box.lo[k] - lo[k]) * per[k], b = (box.hi[k] - hi[k]) * per[k];
+                from = std::max(from, std::min(a, b));
+                to = std::min(to, std::max(a, b));
+            }
+            return from <= to && from < infinity;
+        },
+        [&](std::size_t facet) { return hit(facet, p, d) == infinity; });
 }
 
 double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
