@@ -7,14 +7,18 @@
 #include "core/mesh/triangle_distance.h"
 #include "core/strategy/surface/facet_rows.h"
 #include "core/strategy/surface/lift_line.h"
+#include "core/strategy/surface/stock_field.h"
 #include "core/strategy/surface/up_side.h"
+
+#include <mutex>
 
 namespace facetmill {
 
 namespace {
 
-/// Facets that a thread takes at a time, and those between two looks at the cancel flag.
-constexpr std::size_t block_facets = 64;
+/// Facets that a thread takes at a time, at least, in so many blocks at most, and those between two looks at
+/// the cancel flag.
+constexpr std::size_t block_facets = 64, most_blocks = 4096;
 constexpr std::size_t check_every = 8192;
 /// Samples beyond one a facet: some seconds of work.
 constexpr double max_samples = 4e6;
@@ -51,7 +55,8 @@ struct Line {
 class Swept : public SweptPasses {
 public:
     Swept(const UncutInput& input, std::span<const Pass> passes, const Progress& progress)
-        : frame_(input.frame), profile_(input.cover->profile()), radius_(input.cover->radius()) {
+        : frame_(input.frame), profile_(input.cover->profile()), table_(profile_),
+          radius_(input.cover->radius()) {
         std::vector<Line> lines;
         for (const Pass& pass : passes) {
             progress.check();
@@ -67,12 +72,13 @@ public:
         }
     }
 
+    /// Asked whether it is above `enough` it says no more than that, where it is.
     double lowest(const Vec3& q, const Vec3& hint, double enough) const override {
         const double v_q = frame_.v(q), v = frame_.v(hint), u = frame_.u(hint);
         auto after = std::lower_bound(lines_.begin(), lines_.end(), v,
                                       [](const Line& l, double x) { return l.v < x; });
         auto before = after;
-        double best = infinity;
+        double best = enough > -infinity ? std::nextafter(enough, infinity) : infinity;
         for (;;) {
             // From the hint to both sides.
             const bool right = after != lines_.end() && after->v <= v_q + radius_;
@@ -116,7 +122,10 @@ private:
         };
         // Convex along a piece, because a swept convex body is convex.
         const auto piece = [&](const LinePoint& a, const LinePoint& b) {
-            if (std::min(a.z, b.z) >= best || a.s > u_q + half || b.s < u_q - half) return;
+            const double low = std::min(a.z, b.z);
+            if (low >= best || a.s > u_q + half || b.s < u_q - half) return;
+            const double beside = std::max({a.s - u_q, u_q - b.s, 0.0});
+            if (low + table_.at_least(square + beside * beside) >= best) return;
             const double from = std::max(a.s, u_q - half), to = std::min(b.s, u_q + half);
             const auto at = [&](double s) {
                 const double x = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
@@ -149,6 +158,7 @@ private:
 
     DriveFrame frame_;
     const CutterProfile& profile_;
+    StockCutter table_;
     double radius_;
     std::vector<Line> lines_;
 };
@@ -159,7 +169,6 @@ public:
         : in_(input), up_(*input.mesh, progress), own_(input, input.passes, progress),
           own_left_out_(input, input.left_out, progress), swept_(input.swept ? *input.swept : own_),
           left_out_(input.swept_left_out ? *input.swept_left_out : own_left_out_),
-          facets_(facet_boxes(input.contact->mesh()), progress),
           needle_(input.contact,
                   CutterProfile(AptCutter::flat(tolerance::needle_diameter, unlimited_height))),
           limit_(2 * input.cover->radius()) {
@@ -178,9 +187,10 @@ public:
         spacing_ = std::max({spacing_, std::sqrt(area / max_samples), length / max_samples});
     }
 
-    UncutReport run(const Progress& progress) const {
+    UncutReport run(const Progress& progress) {
+        const std::size_t facets = in_.mesh->facet_count();
         return parallel_reduce(
-            in_.mesh->facet_count(), block_facets, UncutReport(), progress,
+            facets, std::max(block_facets, facets / most_blocks), UncutReport(), progress,
             [&](std::size_t begin, std::size_t end) {
                 UncutReport report;
                 for (std::size_t f = begin; f < end; ++f)
@@ -206,7 +216,7 @@ public:
     }
 
 private:
-    void facet(std::size_t f, UncutReport& report, const Progress& progress) const {
+    void facet(std::size_t f, UncutReport& report, const Progress& progress) {
         const Vec3 n = up_.normal(f);
         if (n == Vec3::Zero()) return;
         const FacetRows rows(*in_.mesh, f, spacing_);
@@ -216,12 +226,12 @@ private:
             for (std::size_t column = 0; column < rows.columns(row); ++column) {
                 if (column % row_part == 0) progress.check();
                 ++report.samples;
-                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report);
+                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report, progress);
             }
     }
 
-    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
-                UncutReport& report) const {
+    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area, UncutReport& report,
+                const Progress& progress) {
         // The cutter is convex: where it comes nearer to p along n than is allowed, it holds the place that
         // far above p.
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
@@ -249,7 +259,7 @@ private:
         places->area += area;
         // How high exactly is asked only of the highest.
         if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;
-        const double left = height(p, n, tip, std::max(places->height, in_.allowed));
+        const double left = height(p, n, tip, std::max(places->height, in_.allowed), progress);
         if (left <= places->height) return;
         places->height = left;
         places->at = on_part;
@@ -259,9 +269,9 @@ private:
 
     /// How much stands over p, where that is more than `from`: along the normal, or upright where no pass
     /// crosses that soon; and no farther than its end is from all of the part, as the verifier says it.
-    double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
+    double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from, const Progress& progress) {
         const auto from_part = [&](double far, const Vec3& direction) {
-            return far > 2 * in_.allowed ? std::min(far, distance(p + far * direction)) : far;
+            return far > 2 * in_.allowed ? std::min(far, distance(p + far * direction, progress)) : far;
         };
         double low = from;
         for (double high = 1.25 * from; low < limit_; low = high, high *= 1.25) {
@@ -277,9 +287,10 @@ private:
     }
 
     /// From the part, but for what is to stay on it.
-    double distance(const Vec3& p) const {
+    double distance(const Vec3& p, const Progress& progress) {
         double near2 = infinity;
         const Mesh& mesh = in_.contact->mesh();
+        std::call_once(has_facets_, [&] { facets_ = BoxTree(facet_boxes(mesh), progress.part(0, 0)); });
         facets_.nearest(p, near2, [&](std::size_t f) {
             near2 =
                 std::min(near2, squared_distance(p, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)));
@@ -291,7 +302,8 @@ private:
     UpwardFacets up_;
     Swept own_, own_left_out_;
     const SweptPasses &swept_, &left_out_;
-    BoxTree facets_;
+    std::once_flag has_facets_;
+    BoxTree facets_; ///< made when it is first asked for
     AxialLift needle_;
     double limit_, spacing_ = 1;
 };
@@ -299,7 +311,7 @@ private:
 } // namespace
 
 UncutReport find_uncut(const UncutInput& input, const Progress& progress) {
-    const Search search(input, progress.part(0, 0.02));
+    Search search(input, progress.part(0, 0.02));
     return search.run(progress.part(0.02, 1));
 }
 
