@@ -98,6 +98,17 @@ double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint
     return std::min(least, min_where_finite(f, 0, 1, f0 < f2));
 }
 
+/// The entry is convex along a piece, and a normal of the cutter where it is met tells its slope.
+bool CuspField::rises(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t from,
+                      std::size_t to, const Vec3& p, const Vec3& n, double entry) const {
+    if (!(std::abs(entry) < infinity)) return false;
+    const Vec3 tip = in_.frame.point(run[from].s, line.v, run[from].z);
+    const auto out = in_.cover->ball_normal(p + entry * n - tip);
+    if (!out) return false;
+    const Vec3 motion = in_.frame.point(run[to].s, line.v, run[to].z) - tip;
+    return out->dot(motion) <= 0; // the line comes in against the normal
+}
+
 double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
                             const Vec3& n) const {
     const double limit = 2 * in_.cover->radius();
@@ -129,6 +140,7 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
     // Neighbours share an end.
     const double first_b = ends.b;
     for (std::size_t left = k; left > 0; --left) {
+        if (rises(line, run, left, left - 1, p, n, ends.a)) break;
         ends = {std::numeric_limits<double>::quiet_NaN(), ends.a};
         const double t = piece_entry(line, run, left - 1, p, n, ends);
         if (!(t < here)) break;
@@ -136,6 +148,7 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
     }
     ends.b = first_b;
     for (std::size_t right = k; right < last; ++right) {
+        if (rises(line, run, right + 1, right + 2, p, n, ends.b)) break;
         ends = {ends.b, std::numeric_limits<double>::quiet_NaN()};
         const double t = piece_entry(line, run, right + 1, p, n, ends);
         if (!(t < here)) break;

@@ -75,6 +75,9 @@ private:
     };
     double piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, const Vec3& p,
                        const Vec3& n, Ends& ends) const;
+    /// True where the entry surely does not become less from run[from] to run[to]: `entry` is that at `from`.
+    bool rises(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t from, std::size_t to,
+               const Vec3& p, const Vec3& n, double entry) const;
     double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
                      const Vec3& n) const;
 

@@ -90,11 +90,9 @@ std::vector<CuspAt> GapCusp::along(const Progress& progress) const {
     if (!(v1_ > v0_)) return {};
     std::vector<CuspAt> found(columns_.size());
     parallel_blocks(columns_.size(), block_columns, progress, [&](std::size_t begin, std::size_t end) {
-        Block block = sampled(begin, end, progress.part(0, 0));
-        for (std::size_t c = begin; c < end; ++c) {
-            found[c].u = columns_[c].u;
-            look(c, block, found[c].cusp);
-        }
+        const std::vector<Found> block = look(begin, end, progress.part(0, 0));
+        for (std::size_t c = begin; c < end; ++c)
+            found[c] = {block[c - begin].u, block[c - begin].worst};
     });
     std::stable_sort(found.begin(), found.end(), [](const CuspAt& a, const CuspAt& b) { return a.u < b.u; });
     return found;
@@ -119,25 +117,35 @@ GapCusp::Block GapCusp::sampled(std::size_t begin, std::size_t end, const Progre
     return block;
 }
 
-void GapCusp::look(std::size_t column, Block& block, double& worst) const {
-    Found found;
-    found.u = columns_[column].u;
-    found.s = block.at(column);
-    if (!look_at_rows(found, worst)) return;
-    look_between_rows(found, block, worst);
-    if (a_ && b_) look_at_ridges(found, worst);
-    look_at_walls(found, block, worst);
-    look_at_wall_ahead(found, column, block, worst);
+std::vector<GapCusp::Found> GapCusp::look(std::size_t begin, std::size_t end,
+                                          const Progress& progress) const {
+    Block block = sampled(begin, end, progress);
+    std::vector<Found> columns(end - begin);
+    for (std::size_t c = begin; c < end; ++c) {
+        Found& found = columns[c - begin];
+        found.u = columns_[c].u;
+        found.s = block.at(c);
+        look_at_rows(found);
+    }
+    look_between(pairs(columns, progress), columns, progress);
+    for (std::size_t c = begin; c < end; ++c) {
+        Found& found = columns[c - begin];
+        if (!found.is_cut) continue;
+        if (a_ && b_) look_at_ridges(found);
+        look_at_walls(found, block);
+        look_at_wall_ahead(found, c, block);
+    }
+    return columns;
 }
 
-bool GapCusp::look_at_rows(Found& found, double& worst) const {
+void GapCusp::look_at_rows(Found& found) const {
     const double u = found.u;
     for (int i = 0; i < rows; ++i) {
         const Sample& s = found.s[i];
         if (!s.valid) continue;
         const double ta = entry(a_, u, s.point, s.normal);
         const double tb = entry(b_, u, s.point, s.normal);
-        worst = std::max(worst, std::min(ta, tb));
+        found.worst = std::max(found.worst, std::min(ta, tb));
         found.x[i] = std::sqrt(ta);
         found.y[i] = std::sqrt(tb);
     }
@@ -145,29 +153,92 @@ bool GapCusp::look_at_rows(Found& found, double& worst) const {
         found.still |=
             found.s[i].valid && found.s[i + 1].valid
             && (found.s[i + 1].point - found.s[i].point).norm() < still_share * (v_[i + 1] - v_[i]);
-    return worst < infinity;
+    found.is_cut = found.worst < infinity;
 }
 
 /// The contact jumps in a hollow hardly wider than the cutter, and stands still on a convex edge; then the
 /// surface lies between the outermost rows and the lines.
-void GapCusp::look_between_rows(const Found& found, Block& block, double& worst) const {
-    const double u = found.u;
-    const auto& s = found.s;
-    const auto look_between = [&](double va, const Sample& sa, double vb, const Sample& sb, LiftHint& hint) {
-        // A sharp rim's contact jumps from side to side on any hollow surface.
-        if (worst > in_.cusp || (field_.sharp() && !found.still)) return;
-        const double gap = (found.still ? in_.look.edge_gap : in_.look.jump_gap) * field_.level_step();
-        worst = std::max(worst, between(u, va, sa, vb, sb, gap, deepest_between, hint));
+std::vector<GapCusp::Pair> GapCusp::pairs(const std::vector<Found>& columns, const Progress& progress) const {
+    std::vector<Pair> all;
+    std::vector<Vec2> places; // on the lines beside
+    std::vector<std::size_t> asks;
+    const auto is_met = [](const Sample& a, const Sample& b, double gap) {
+        return a.valid && b.valid && (b.point - a.point).norm() > gap;
     };
-    for (int i = 0; i + 1 < rows; ++i)
-        look_between(v_[i], s[i], v_[i + 1], s[i + 1], block.hints[i]);
-    const auto at = [&](double v, LiftHint& hint) { return field_.sample(u, v, hint); };
-    // So it does where the contact jumps between them, and the line leaves more than on a flank.
-    const auto beside_line = [&](double root) { return found.still || root * root > jump_share * in_.cusp; };
-    if (a_ && beside_line(found.x[0]) && inside(domain_a_, u, tolerance::contact_distance))
-        look_between(v0_, at(v0_, block.hints[0]), v_[0], s[0], block.hints[0]);
-    if (b_ && beside_line(found.y[rows - 1]) && inside(domain_b_, u, tolerance::contact_distance))
-        look_between(v_[rows - 1], s[rows - 1], v1_, at(v1_, block.hints[rows - 1]), block.hints[rows - 1]);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        const Found& found = columns[c];
+        // A sharp rim's contact jumps from side to side on any hollow surface.
+        if (!found.is_cut || found.worst > in_.cusp || (field_.sharp() && !found.still)) continue;
+        const double gap = (found.still ? in_.look.edge_gap : in_.look.jump_gap) * field_.level_step();
+        for (int i = 0; i + 1 < rows; ++i)
+            if (is_met(found.s[i], found.s[i + 1], gap))
+                all.push_back({c, v_[i], v_[i + 1], found.s[i], found.s[i + 1], gap, deepest_between});
+        // So it does where the contact jumps between them, and the line leaves more than on a flank.
+        const auto beside_line = [&](const DriveLine* line, const std::vector<Interval>& domain, double root,
+                                     double v, int row) {
+            if (!line || !(found.still || root * root > jump_share * in_.cusp)) return;
+            if (!found.s[row].valid || !inside(domain, found.u, tolerance::contact_distance)) return;
+            asks.push_back(all.size());
+            places.emplace_back(found.u, v);
+            Pair pair{c, v, v_[row], {}, found.s[row], gap, deepest_between};
+            if (row > 0) {
+                std::swap(pair.v0, pair.v1);
+                std::swap(pair.s0, pair.s1);
+            }
+            all.push_back(pair);
+        };
+        beside_line(a_, domain_a_, found.x[0], v0_, 0);
+        beside_line(b_, domain_b_, found.y[rows - 1], v1_, rows - 1);
+    }
+    const std::vector<Sample> on_lines = field_.samples(places, progress);
+    for (std::size_t k = 0; k < asks.size(); ++k) {
+        Pair& pair = all[asks[k]];
+        (pair.v0 == places[k].y() ? pair.s0 : pair.s1) = on_lines[k];
+    }
+    std::erase_if(all, [&](const Pair& p) { return !is_met(p.s0, p.s1, p.gap); });
+    return all;
+}
+
+/// Halving by halving: the places of one are asked together.
+void GapCusp::look_between(std::vector<Pair> pairs, std::vector<Found>& columns,
+                           const Progress& progress) const {
+    while (!pairs.empty()) {
+        std::vector<Pair> open;
+        std::vector<Vec2> places;
+        for (const Pair& pair : pairs) {
+            Found& found = columns[pair.found];
+            if (found.worst > in_.cusp || !((pair.s1.point - pair.s0.point).norm() > pair.gap)) continue;
+            if (pair.depth == 0) {
+                found.worst = std::max(found.worst, at_jump(pair, found.u));
+                continue;
+            }
+            open.push_back(pair);
+            places.emplace_back(found.u, 0.5 * (pair.v0 + pair.v1));
+        }
+        const std::vector<Sample> middles = field_.samples(places, progress);
+        pairs.clear();
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const Pair& pair = open[i];
+            const Sample& s = middles[i];
+            if (!s.valid) continue;
+            Found& found = columns[pair.found];
+            found.worst = std::max(found.worst, left_at(found.u, s));
+            if (found.worst > in_.cusp) continue;
+            const double v = places[i].y();
+            pairs.push_back({pair.found, pair.v0, v, pair.s0, s, pair.gap, pair.depth - 1});
+            pairs.push_back({pair.found, v, pair.v1, s, pair.s1, pair.gap, pair.depth - 1});
+        }
+    }
+}
+
+double GapCusp::at_jump(const Pair& pair, double u) const {
+    const Sample &s0 = pair.s0, &s1 = pair.s1;
+    // Half-way: where both cutters leave the same, as far as the two places tell.
+    const double a0 = entry(a_, u, s0.point, s0.normal), a1 = entry(a_, u, s1.point, s1.normal);
+    const double b0 = entry(b_, u, s0.point, s0.normal), b1 = entry(b_, u, s1.point, s1.normal);
+    const double d0 = b0 - a0, d1 = a1 - b1;
+    const double between = d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
+    return field_.sharp() ? between : std::max(between, hollow(s0, s1, u, 0.5 * (pair.v0 + pair.v1)));
 }
 
 double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
@@ -187,40 +258,40 @@ double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
 
 /// The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left grows with the
 /// square of the distance, so roots run linearly; beside a sharp rim it grows with the distance.
-void GapCusp::look_at_ridges(const Found& found, double& worst) const {
+void GapCusp::look_at_ridges(Found& found) const {
     const double root = ridge(found, found.x, found.y);
-    worst = std::max(worst, root * root);
+    found.worst = std::max(found.worst, root * root);
     if (!field_.sharp()) return;
     std::array<double, rows> x = found.x, y = found.y;
     for (int i = 0; i < rows; ++i) {
         x[i] *= x[i];
         y[i] *= y[i];
     }
-    worst = std::max(worst, ridge(found, x, y));
+    found.worst = std::max(found.worst, ridge(found, x, y));
 }
 
-void GapCusp::look_at_walls(const Found& found, Block& block, double& worst) const {
+void GapCusp::look_at_walls(Found& found, Block& block) const {
     const double u = found.u;
     const auto& s = found.s;
     for (int i = 0; i + 1 < rows; ++i)
         if (s[i].valid && s[i + 1].valid
             && std::abs(s[i].tip_z - s[i + 1].tip_z) > std::max(wall_slope * (v_[i + 1] - v_[i]), in_.cusp))
-            worst = std::max(
-                worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z, s[i + 1].tip_z, block.hints[i]));
+            found.worst = std::max(found.worst, wall(Vec2(u, v_[i]), Vec2(u, v_[i + 1]), s[i].tip_z,
+                                                     s[i + 1].tip_z, block.hints[i]));
     // Outermost rows against the lines themselves.
     const auto to_line = [&](const DriveLine* line, const std::vector<Interval>& on_line, int row) {
         if (!line || !s[row].valid || !inside(on_line, u, tolerance::contact_distance)) return;
         const double z = field_.height_on(*line, u);
         if (std::abs(z - s[row].tip_z) > std::max(wall_slope * std::abs(v_[row] - line->v), in_.cusp))
-            worst =
-                std::max(worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z, block.hints[row]));
+            found.worst = std::max(
+                found.worst, wall(Vec2(u, line->v), Vec2(u, v_[row]), z, s[row].tip_z, block.hints[row]));
     };
     to_line(a_, domain_a_, 0);
     to_line(b_, domain_b_, rows - 1);
 }
 
 /// A wall across the passes, between this column and the next.
-void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Block& block, double& worst) const {
+void GapCusp::look_at_wall_ahead(Found& found, std::size_t column, Block& block) const {
     const Sample& s = found.s[1];
     if (!s.valid || !columns_[column].joins_next) return;
     const double next = columns_[column + 1].u;
@@ -228,7 +299,8 @@ void GapCusp::look_at_wall_ahead(const Found& found, std::size_t column, Block& 
     const Sample& ahead = block.at(column + 1)[1];
     const double z = ahead.valid ? ahead.tip_z : in_.floor;
     if (std::abs(z - s.tip_z) > std::max(wall_slope * (next - found.u), in_.cusp))
-        worst = std::max(worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z, block.hints[1]));
+        found.worst =
+            std::max(found.worst, wall(Vec2(found.u, v_[1]), Vec2(next, v_[1]), s.tip_z, z, block.hints[1]));
 }
 
 double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& hint) const {
@@ -257,26 +329,6 @@ double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& h
                 - in_.cover->radius() * Vec3(side.x(), side.y(), 0);
     top.normal = Vec3(side.x(), side.y(), 0);
     return std::max(worst, left_at(high.x(), top));
-}
-
-double GapCusp::between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap,
-                        int depth, LiftHint& hint) const {
-    if (!s0.valid || !s1.valid || !((s1.point - s0.point).norm() > gap)) return 0;
-    if (depth == 0) {
-        // Half-way at a jump: where both cutters leave the same, as far as the two places tell.
-        const double a0 = entry(a_, u, s0.point, s0.normal), a1 = entry(a_, u, s1.point, s1.normal);
-        const double b0 = entry(b_, u, s0.point, s0.normal), b1 = entry(b_, u, s1.point, s1.normal);
-        const double d0 = b0 - a0, d1 = a1 - b1;
-        const double between = d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
-        return field_.sharp() ? between : std::max(between, hollow(s0, s1, u, 0.5 * (v0 + v1)));
-    }
-    const double v = 0.5 * (v0 + v1);
-    const Sample s = field_.sample(u, v, hint);
-    if (!s.valid) return 0;
-    const double worst = left_at(u, s);
-    if (worst > in_.cusp) return worst;
-    return std::max({worst, between(u, v0, s0, v, s, gap, depth - 1, hint),
-                     between(u, v, s, v1, s1, gap, depth - 1, hint)});
 }
 
 double GapCusp::hollow(const Sample& s0, const Sample& s1, double u, double v) const {

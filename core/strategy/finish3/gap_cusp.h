@@ -36,7 +36,8 @@ private:
     };
     /// What is found at a column: contacts, and roots of what the lines leave there.
     struct Found {
-        double u = 0;
+        double u = 0, worst = 0;
+        bool is_cut = false; ///< false: a place is not cut at all
         std::array<Sample, rows> s;
         std::array<double, rows> x{}, y{};
         /// The contact stands still while the cutter rolls over a convex edge.
@@ -52,19 +53,28 @@ private:
 
     void place_columns(std::vector<Interval> all, const Interval* within);
     Block sampled(std::size_t begin, std::size_t end, const Progress& progress) const;
-    void look(std::size_t column, Block& block, double& worst) const;
-    /// False where a place is not cut at all.
-    bool look_at_rows(Found& found, double& worst) const;
-    void look_between_rows(const Found& found, Block& block, double& worst) const;
+    /// Two tips at a column between which contacts may be far apart.
+    struct Pair {
+        std::size_t found = 0; ///< of the columns of a block
+        double v0 = 0, v1 = 0;
+        Sample s0, s1;
+        double gap = 0; ///< contacts farther apart are looked between
+        int depth = 0;  ///< halvings that are left
+    };
+
+    std::vector<Found> look(std::size_t begin, std::size_t end, const Progress& progress) const;
+    void look_at_rows(Found& found) const;
+    /// Pairs of neighbouring places, where it is worth to look between them.
+    std::vector<Pair> pairs(const std::vector<Found>& columns, const Progress& progress) const;
+    void look_between(std::vector<Pair> pairs, std::vector<Found>& columns, const Progress& progress) const;
     double ridge(const Found& found, const std::array<double, rows>& x,
                  const std::array<double, rows>& y) const;
-    void look_at_ridges(const Found& found, double& worst) const;
-    void look_at_walls(const Found& found, Block& block, double& worst) const;
-    void look_at_wall_ahead(const Found& found, std::size_t column, Block& block, double& worst) const;
+    void look_at_ridges(Found& found) const;
+    void look_at_walls(Found& found, Block& block) const;
+    void look_at_wall_ahead(Found& found, std::size_t column, Block& block) const;
 
-    /// Largest cusp at contacts of tips between two tips at u whose contacts are far apart, or 0.
-    double between(double u, double v0, const Sample& s0, double v1, const Sample& s1, double gap, int depth,
-                   LiftHint& hint) const;
+    /// What stays where the contact jumps from one to the other of two tips that are close together.
+    double at_jump(const Pair& pair, double u) const;
     /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
     /// both: no tip touches there, but it would leave less.
     double hollow(const Sample& s0, const Sample& s1, double u, double v) const;

@@ -47,6 +47,13 @@ public:
     /// cutter; nothing at a corner of the profile, where the cutter leaves it open.
     std::optional<Vec3> contact_normal(const Vec3& rel) const;
 
+    /// The outward normal, as long as the radius, at a point on the lower half of a ball, given from the tip;
+    /// nothing for another cutter, or higher up.
+    std::optional<Vec3> ball_normal(const Vec3& rel) const {
+        if (!ball_ || rel.z() >= radius_) return std::nullopt;
+        return Vec3(rel.x(), rel.y(), rel.z() - radius_);
+    }
+
     /// A disc about the axis, rounded by a radius: flat ends, bull noses and balls are such.
     struct RoundedDisc {
         double disc, rounding;
