@@ -213,17 +213,46 @@ struct Bounds {
                 most(hi_y, near_x, far_x)};
     }
 
+    /// Strips in the plan, (x, y) across them, from lo to hi as seen from the place.
+    template <class F>
+    struct Strips {
+        F x, y, lo, hi;
+
+        FACETMILL_MEMBER F across(const F& at_x, const F& at_y) const { return x * at_x + y * at_y; }
+        FACETMILL_MEMBER F along(const F& at_x, const F& at_y) const { return x * at_y - y * at_x; }
+        /// Moves a point into the strip, across it: over a needle it goes on to where its own slope leads.
+        FACETMILL_MEMBER void move_into(F& at_x, F& at_y) const {
+            const F at = across(at_x, at_y), shift = smaller(larger(at, lo), hi) - at;
+            at_x = at_x + shift * x;
+            at_y = at_y + shift * y;
+        }
+        /// The most that a slope makes between lo and hi, and between these along the strip.
+        FACETMILL_MEMBER F most(const F& slope_x, const F& slope_y, const F& lo_along,
+                                const F& hi_along) const {
+            const F by = across(slope_x, slope_y), to = along(slope_x, slope_y);
+            return larger(by * lo, by * hi) + larger(to * lo_along, to * hi_along);
+        }
+    };
+    /// Those of a node's children, for a place from which they are (ax, ay) away.
+    FACETMILL_MEMBER Strips<Float8> strips_of(const TreeNode& node, const Float8& ax,
+                                              const Float8& ay) const {
+        const Float8 x = load(node.across_x), y = load(node.across_y), middle = x * ax + y * ay;
+        return {x, y, middle + load(node.strip_lo) - 2 * slack, middle + load(node.strip_hi) + 2 * slack};
+    }
+
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
-    /// has height `roof` over (rx, ry). -inf where the cutter does not reach.
+    /// has height `roof` over (rx, ry); with strips only over what lies in those. -inf where the cutter does
+    /// not reach.
     template <class F>
     FACETMILL_MEMBER F bounds(const F& cx, const F& cy, const F& hx, const F& hy, const F& top, const F& rx,
-                              const F& ry, const F& roof, const F& px, const F& py) const {
+                              const F& ry, const F& roof, const F& px, const F& py,
+                              const Strips<F>* strips = nullptr) const {
         const F reach = all_of<F>(radius);
         const F lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
         const F lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
         const F near_x = larger(larger(lo_x, -hi_x), 0.0f), near_y = larger(larger(lo_y, -hi_y), 0.0f);
-        const auto reached =
-            (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
+        auto reached = (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
+        if (strips) reached = reached & (strips->lo <= reach) & (strips->hi >= -reach);
         // The tangent plane of the lift over the roof is taken at the point of the box nearest to where the
         // roof touches the cutter: there the lift is about highest.
         const F per = rough_inverse_root(1.0f + px * px + py * py);
@@ -231,11 +260,13 @@ struct Bounds {
         touched(px * per, py * per, mx, my);
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
+        if (strips) strips->move_into(mx, my);
         F level, sx, sy;
         tangent_plane(mx, my, px, py, level, sx, sy);
         const F gx = px - sx, gy = py - sy;
-        const F over =
-            roof - px * rx - py * ry - level + larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
+        F most = larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
+        if (strips) most = smaller(most, strips->most(gx, gy, -reach, reach));
+        const F over = roof - px * rx - py * ry - level + most;
         return select(reached, smaller(over, top) + margin, all_of<F>(-__builtin_inff()));
     }
 

@@ -62,9 +62,14 @@ struct Search : Bounds<tilted, shape> {
     FACETMILL_MEMBER Float8 child_bounds(const TreeNode& node) const {
         const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1], az = load(node.cz);
         const Float8 hx = load(node.hx), hy = load(node.hy), hz = load(node.hz);
-        if constexpr (!tilted) {
+        if constexpr (!tilted) { // unused lanes reach nowhere: hx < 0
+            if (index.has_strips) {
+                const auto strips = this->strips_of(node, ax, ay);
+                return bounds(ax, ay, hx, hy, az + hz, ax, ay, load(node.roof), load(node.slope_x),
+                              load(node.slope_y), &strips);
+            }
             return bounds(ax, ay, hx, hy, az + hz, ax, ay, load(node.roof), load(node.slope_x),
-                          load(node.slope_y)); // unused lanes reach nowhere: hx < 0
+                          load(node.slope_y));
         } else {
             const auto& m = turn;
             const auto size = [](float v) { return v < 0 ? -v : v; };
@@ -238,7 +243,9 @@ struct Search : Bounds<tilted, shape> {
         for (std::uint32_t k = 0; k < block_width; ++k)
             slots[k] = which * std::uint32_t(block_width) + k;
         waiting += keep(bits(above > least), above, slots, waiting_bound + waiting, waiting_slot + waiting);
-        while (waiting > max_waiting)
+        // What is as high as a level floor is told from it by its own digits alone.
+        const bool at_once = first && !tilted && flat_bottom;
+        while (waiting > (at_once ? 0 : max_waiting))
             test();
     }
 
@@ -258,9 +265,43 @@ struct Search : Bounds<tilted, shape> {
         return bits(child < 0); // TreeNode::leaf is the sign
     }
 
+    /// Children in whose boxes the highest contact may lie, as the slopes around their vertices say.
+    FACETMILL_MEMBER unsigned touchable(const TreeNode& node) const {
+        const auto on = this->contact(load(node.slope_lo_x), load(node.slope_hi_x), load(node.slope_lo_y),
+                                      load(node.slope_hi_y));
+        const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1];
+        const Float8 hx = load(node.hx) + this->slack, hy = load(node.hy) + this->slack;
+        return bits((ax - hx <= on.hi_x) & (ax + hx >= on.lo_x) & (ay - hy <= on.hi_y)
+                    & (ay + hy >= on.lo_y));
+    }
+
+    /// Asks the memory for what will most likely be opened.
+    FACETMILL_MEMBER void fetch(const TreeNode& node, unsigned lanes, unsigned leaf) const {
+        constexpr std::size_t node_part = offsetof(TreeNode, normal_x), block_part = sizeof(FacetBlock);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int k = __builtin_ctz(lanes);
+            const bool is_block = (leaf >> k & 1) != 0;
+            const std::uint32_t child = node.child[k] & ~TreeNode::leaf;
+            const char* from = is_block ? reinterpret_cast<const char*>(index.blocks + child)
+                                        : reinterpret_cast<const char*>(index.nodes + child);
+            for (std::size_t i = 0; i < (is_block ? block_part : node_part); i += 64)
+                __builtin_prefetch(from + i);
+        }
+    }
+
     FACETMILL_CALLED void open_node(const TreeNode& node) {
         const Float8 bound = child_bounds(node);
-        const unsigned lanes = bits(bound > least), leaf = leaves(node);
+        unsigned lanes = bits(bound > least);
+        const unsigned leaf = leaves(node);
+        if constexpr (!tilted) {
+            if ((lanes & leaf) != 0) lanes &= ~leaf | touchable(node);
+            if (flat_bottom)
+                for (unsigned open = lanes; open != 0; open &= open - 1) {
+                    const int k = __builtin_ctz(open);
+                    if (node.highest[k] <= best.tip) lanes &= ~(1u << k);
+                }
+        }
+        fetch(node, lanes, leaf);
         nodes += keep(lanes & ~leaf, bound, node.child, node_bound + nodes, node_child + nodes);
         blocks += keep(lanes & leaf, bound, node.child, block_bound + blocks, block_child + blocks);
     }

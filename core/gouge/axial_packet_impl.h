@@ -43,6 +43,7 @@ public:
                 store(load_places(child_bound[waiting]), child_bound[most]);
             }
             if (bits(bound > least) == 0) continue;
+            if (flat_bottom && next.node->highest[next.lane] <= lowest_tip) continue;
             const std::uint32_t which = next.node->child[next.lane];
             if (!(which & TreeNode::leaf))
                 open_node(index.nodes[which]);
@@ -58,7 +59,7 @@ private:
     using Base::packet, Base::place_x, Base::place_y, Base::dx, Base::dy, Base::lo_dx, Base::hi_dx,
         Base::lo_dy, Base::hi_dy, Base::least, Base::floor;
     using Base::prepare, Base::prepare_edges, Base::facet_tangent, Base::point_lift, Base::edge_bounds;
-    using Base::raise, Base::add, Base::flush;
+    using Base::raise, Base::add, Base::flush, Base::fetch, Base::room_of, Base::min_tip;
     using Base::tips;
     using Base::touched, Base::tangent_plane, Base::contact, Base::bounds, Base::rough_height;
     using typename Base::Contact, typename Base::Places;
@@ -66,6 +67,9 @@ private:
     using EdgeLanes = typename Base::template EdgeLanes<F>;
 
     const bool flat_bottom;
+    /// The least of the answers so far, of a flat bottom only. On a level floor all boxes are as high, which
+    /// their own digits tell and bounds in single precision cannot.
+    double lowest_tip = no_lift;
 
     /// Places whose facets, eight each, fill the lanes.
     static constexpr int together = place_lanes / int(block_width);
@@ -103,23 +107,6 @@ private:
         return found == 0 ? waiting - 1 : waiting + 15 - __builtin_clz(found);
     }
 
-    FACETMILL_MEMBER static std::uint32_t room_of(std::uint32_t which) {
-        return which % PreparedBlocks::room;
-    }
-
-    /// Asks the memory for what will most likely be opened.
-    FACETMILL_MEMBER void fetch(std::uint32_t which) const {
-        const auto from = [](const auto& what) __attribute__((always_inline)) {
-            for (std::size_t i = 0; i < sizeof what; i += 64)
-                __builtin_prefetch(reinterpret_cast<const char*>(&what) + i);
-        };
-        const std::uint32_t block = which & ~TreeNode::leaf;
-        if (!(which & TreeNode::leaf))
-            from(index.nodes[which]);
-        else if (packet.prepared->block[room_of(block)] != block)
-            from(index.blocks[block]);
-    }
-
     FACETMILL_CALLED void open_node(const TreeNode& node) {
         const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1];
         const Float8 hx = load(node.hx), hy = load(node.hy), reach = all(radius + slack);
@@ -135,6 +122,18 @@ private:
             bits((hx >= 0.0f) & (near_x * near_x + near_y * near_y <= reach * reach) & (first_x <= hi_dx)
                  & (last_x >= lo_dx) & (first_y <= hi_dy) & (last_y >= lo_dy) & (top > min_of(least)));
         if (reached == 0) return;
+        // Strips, and how far the places lie across and along them.
+        auto strips = this->strips_of(node, ax, ay);
+        const auto spread = [&](const Float8& x, const Float8& y, bool high) __attribute__((always_inline)) {
+            const Float8 x0 = x * lo_dx, x1 = x * hi_dx, y0 = y * lo_dy, y1 = y * hi_dy;
+            return high ? larger(x0, x1) + larger(y0, y1) : smaller(x0, x1) + smaller(y0, y1);
+        };
+        if (index.has_strips) {
+            strips.lo = larger(strips.lo, spread(strips.x, strips.y, false) - reach);
+            strips.hi = smaller(strips.hi, spread(strips.x, strips.y, true) + reach);
+            reached &= bits(strips.lo <= strips.hi);
+            if (reached == 0) return;
+        }
         // The tangent plane of the lift over the roof, for a place in the middle, serves them all.
         const Float8 px = load(node.slope_x), py = load(node.slope_y);
         const Float8 lo_x = larger(ax - hx - slack, all(lo_dx) - reach),
@@ -147,11 +146,21 @@ private:
         touched(px * per, py * per, mx, my);
         mx = smaller(larger(mx, lo_x - middle_x), hi_x - middle_x);
         my = smaller(larger(my, lo_y - middle_y), hi_y - middle_y);
+        if (index.has_strips) {
+            auto from_middle = strips;
+            const Float8 moved = strips.across(all(middle_x), all(middle_y));
+            from_middle.lo = strips.lo - moved;
+            from_middle.hi = strips.hi - moved;
+            from_middle.move_into(mx, my);
+        }
         Float8 level, sx, sy;
         tangent_plane(mx, my, px, py, level, sx, sy);
         const Float8 qx = px - sx, qy = py - sy;
-        const Float8 over = load(node.roof) - px * ax - py * ay - level + larger(qx * lo_x, qx * hi_x)
-                            + larger(qy * lo_y, qy * hi_y) + margin;
+        Float8 most = larger(qx * lo_x, qx * hi_x) + larger(qy * lo_y, qy * hi_y);
+        if (index.has_strips)
+            most = smaller(most, strips.most(qx, qy, spread(-strips.y, strips.x, false) - reach,
+                                             spread(-strips.y, strips.x, true) + reach));
+        const Float8 over = load(node.roof) - px * ax - py * ay - level + most + margin;
         alignas(32) float base[block_width], base_x[block_width], base_y[block_width], tops[block_width];
         alignas(32) float left[block_width], right[block_width], front[block_width], back[block_width];
         store(over, base);
@@ -173,6 +182,7 @@ private:
                 select((dx >= left[k]) & (dx <= right[k]) & (dy >= front[k]) & (dy <= back[k]),
                        smaller(base[k] + base_x[k] * dx + base_y[k] * dy, tops[k]), -__builtin_inff());
             if (bits(bound > least) == 0) continue;
+            if (flat_bottom && node.highest[k] <= lowest_tip) continue;
             fetch(node.child[k]);
             key[waiting] = max_of(bound - larger(least, floor));
             child[waiting] = {&node, k, {contacts[0][k], contacts[1][k], contacts[2][k], contacts[3][k]}};
@@ -215,6 +225,7 @@ private:
             ask_places(f, which, p, on, places);
         else
             ask_facets(f, which, p, on, places);
+        if (flat_bottom && lowest_tip == no_lift) lowest_tip = min_tip();
     }
 
     /// Every facet's middle gives a lower bound.

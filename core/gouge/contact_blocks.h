@@ -40,7 +40,9 @@ struct alignas(64) FacetBlock {
 /// (y - cy). The slab, for an axis from anywhere: for all of the facets' points q, and c = (cx, cy, cz),
 /// -below <= normal . (q - c) <= above; the normal is a unit vector but for rounding, or zero where there is
 /// none. Relative to the index's origin. Unused lanes have hx < 0. The slopes (dz/dx, dz/dy) around the
-/// facets' vertices, for a vertical axis: see vertex_slopes.h.
+/// facets' vertices, for a vertical axis: see vertex_slopes.h. `highest`: of the facets' corners, in their
+/// own digits, not relative to the origin. The strip, seen along Z: strip_lo <= across . (q - c) <= strip_hi
+/// for all points; across lies, roughly, across long facets, and is a unit vector but for rounding.
 struct alignas(64) TreeNode {
     static constexpr std::uint32_t leaf = 0x80000000u;       ///< child is a block
     float cx[block_width], cy[block_width], cz[block_width]; ///< middles
@@ -50,6 +52,8 @@ struct alignas(64) TreeNode {
     float normal_x[block_width], normal_y[block_width], normal_z[block_width];
     float above[block_width], below[block_width];
     float slope_lo_x[block_width], slope_hi_x[block_width], slope_lo_y[block_width], slope_hi_y[block_width];
+    double highest[block_width];
+    float across_x[block_width], across_y[block_width], strip_lo[block_width], strip_hi[block_width];
 };
 
 /// What the kernels see of an index.
@@ -58,6 +62,7 @@ struct IndexView {
     const TreeNode* nodes = nullptr; ///< root first; null for a mesh without facets
     double origin[3] = {0, 0, 0};
     double half_size[3] = {0, 0, 0}; ///< of the mesh's box about the origin
+    bool has_strips = false;         ///< strips say more than boxes: there are needles that lie askew
 };
 
 } // namespace facetmill

@@ -13,6 +13,7 @@ struct ContactIndex::Impl {
     std::vector<FacetBlock> blocks;
     std::vector<TreeNode> nodes; ///< root first; empty for a mesh without facets
     std::array<double, 3> origin{}, half_size{};
+    bool has_strips = false;
 
     IndexView view() const {
         IndexView v{blocks.data(), nodes.empty() ? nullptr : nodes.data()};
@@ -20,6 +21,7 @@ struct ContactIndex::Impl {
             v.origin[k] = origin[k];
             v.half_size[k] = half_size[k];
         }
+        v.has_strips = has_strips;
         return v;
     }
 };

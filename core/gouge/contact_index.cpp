@@ -29,7 +29,7 @@ struct Range {
 
 /// A facet is listed in pieces where its box in the plan is so many times as large as it is; in so many at
 /// most; and so many more than there are facets altogether.
-constexpr double worth_pieces = 16, max_pieces = 64, max_more_pieces = 1e6;
+constexpr double worth_pieces = 16, max_pieces = 8, max_more_pieces = 1e6;
 
 /// Splits [begin, end) at `middle` across the widest extent of the middles. Equal keys are ordered by facet,
 /// so that the two halves do not depend on the algorithm.
@@ -176,12 +176,35 @@ struct Slab {
     double above = 0, below = 0;
 };
 
+/// Two upright planes about a box: lo <= across . (q - middle) <= hi for all q in it. `turned`: the sum of
+/// the squares of the facets' longest edges, as complex numbers, whose direction has twice the angle of
+/// theirs.
+struct Strip {
+    Vec2 turned = Vec2::Zero(), across = Vec2(1, 0);
+    double lo = infinity, hi = -infinity;
+
+    void add_edge(const Vec2& edge) {
+        turned += Vec2(edge.x() * edge.x() - edge.y() * edge.y(), 2 * edge.x() * edge.y());
+    }
+    void find_across() {
+        if (turned == Vec2::Zero()) return;
+        const double angle = 0.5 * std::atan2(turned.y(), turned.x());
+        across = Vec2(-std::sin(angle), std::cos(angle));
+    }
+    void add(double from, double to) {
+        lo = std::min(lo, from);
+        hi = std::max(hi, to);
+    }
+};
+
 /// What a node knows of a child, relative to the index's origin.
 struct Cover {
     Box3 box;
     Roof roof;
     Slab slab;
     SlopeRange slopes = SlopeRange::none();
+    double highest = -infinity; ///< z of the facets' corners themselves
+    Strip strip;
 };
 
 /// Sums up normals whose sign says nothing, as the winding of a scan may not.
@@ -216,16 +239,29 @@ Cover cover_of(std::span<const Item> items, const Vec3& origin, const Mesh& mesh
     std::size_t n = 0;
     NormalSum normals;
     for (const Item& item : items) {
-        for (const Index v : mesh.facets[item.facet])
+        for (const Index v : mesh.facets[item.facet]) {
             cover.slopes.add(vertex_slopes[v]);
+            cover.highest = std::max(cover.highest, mesh.vertices[v].z());
+        }
         const PieceCorners piece(mesh, item);
         for (std::size_t k = 0; k < piece.count(); ++k) {
             points[n] = piece[k] - origin;
             cover.box.add(points[n++]);
         }
         normals.add(mesh.facet_cross(item.facet));
+        Vec2 longest = Vec2::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 edge = (mesh.corner(item.facet, (k + 1) % 3) - mesh.corner(item.facet, k)).head<2>();
+            if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+        }
+        cover.strip.add_edge(longest);
     }
     const Vec3 middle = cover.box.center();
+    cover.strip.find_across();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double aside = cover.strip.across.dot((points[i] - middle).head<2>());
+        cover.strip.add(aside, aside);
+    }
     cover.slab = {normals.normal(), -infinity, -infinity};
     for (std::size_t i = 0; i < n; ++i) {
         const double out = cover.slab.normal.dot(points[i] - middle);
@@ -256,6 +292,17 @@ Cover cover_of(std::span<const Item> items, const Vec3& origin, const Mesh& mesh
     return cover;
 }
 
+/// What lies in a part's box and in its strip, `from_middle` away.
+void add_part(Strip& strip, const Cover& part, const Vec2& from_middle) {
+    const Vec2 half = 0.5 * part.box.size().head<2>(), &own = part.strip.across;
+    const double middle = strip.across.dot(from_middle), by_box = strip.across.cwiseAbs().dot(half);
+    const double same = strip.across.dot(own), other = strip.across.dot(Vec2(-own.y(), own.x()));
+    const double along = std::abs(other) * Vec2(-own.y(), own.x()).cwiseAbs().dot(half);
+    const double a = same * part.strip.lo, b = same * part.strip.hi;
+    strip.add(middle + std::max(-by_box, std::min(a, b) - along),
+              middle + std::min(by_box, std::max(a, b) + along));
+}
+
 Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
     Cover cover;
     double slope_x = 0, slope_y = 0;
@@ -263,11 +310,16 @@ Cover cover_of(const std::array<Cover, block_width>& parts, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
         cover.box.add(parts[i].box);
         cover.slopes.add(parts[i].slopes);
+        cover.highest = std::max(cover.highest, parts[i].highest);
         normals.add(parts[i].slab.normal);
         slope_x += parts[i].roof.x / double(n);
         slope_y += parts[i].roof.y / double(n);
+        cover.strip.turned += parts[i].strip.turned;
     }
     const Vec3 middle = cover.box.center();
+    cover.strip.find_across();
+    for (std::size_t i = 0; i < n; ++i)
+        add_part(cover.strip, parts[i], (parts[i].box.center() - middle).head<2>());
     const Vec3 normal = normals.normal();
     cover.slab = {normal, -infinity, -infinity};
     for (std::size_t i = 0; i < n; ++i) {
@@ -321,6 +373,16 @@ void set_child(TreeNode& node, std::size_t lane, const Cover& cover, Index child
     node.slope_hi_x[lane] = cover.slopes.hi_x;
     node.slope_lo_y[lane] = cover.slopes.lo_y;
     node.slope_hi_y[lane] = cover.slopes.hi_y;
+    node.highest[lane] = cover.highest;
+    const Strip& strip = cover.strip;
+    node.across_x[lane] = float(strip.across.x());
+    node.across_y[lane] = float(strip.across.y());
+    const double aside =
+        strip.across.dot((middle - Vec3(node.cx[lane], node.cy[lane], node.cz[lane])).head<2>());
+    // The direction is rounded: by less than its last digit, which at the box's corners is as much as this.
+    const double turn = std::numeric_limits<float>::epsilon() * (double(node.hx[lane]) + node.hy[lane]);
+    node.strip_lo[lane] = -rounded_up(turn - (strip.lo + aside));
+    node.strip_hi[lane] = rounded_up(turn + strip.hi + aside);
     node.child[lane] = child;
 }
 
@@ -401,6 +463,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4), &is_open);
     const std::vector<SlopeRange> slopes = vertex_slopes(*mesh_, is_open, progress.part(0.4, 0.45));
     std::vector<Item> items = listed_facets(*mesh_, progress.part(0.45, 0.5));
+    impl_->has_strips = items.size() > mesh_->facet_count();
     Box3 box;
     for (std::size_t f = 0; f < mesh_->facet_count(); ++f)
         for (int k = 0; k < 3; ++k)
@@ -434,6 +497,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
             TreeNode node{};
             for (std::size_t lane = 0; lane < block_width; ++lane) {
                 node.hx[lane] = node.hy[lane] = node.hz[lane] = -std::numeric_limits<float>::infinity();
+                node.highest[lane] = -infinity;
                 node.child[lane] = no_index;
                 if (lane >= counts[i]) continue;
                 const Range& p = parts[i][lane];

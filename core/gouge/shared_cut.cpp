@@ -16,6 +16,8 @@ void SharedCut::fill(const Children& children, std::size_t size) {
             to.normal_x[lane] = to.normal_y[lane] = to.normal_z[lane] = to.above[lane] = to.below[lane] = 0;
             to.slope_lo_x[lane] = to.slope_hi_x[lane] = to.slope_lo_y[lane] = to.slope_hi_y[lane] = 0;
             to.hx[lane] = to.hy[lane] = to.hz[lane] = -std::numeric_limits<float>::infinity();
+            to.across_x[lane] = to.across_y[lane] = to.strip_lo[lane] = to.strip_hi[lane] = 0;
+            to.highest[lane] = -std::numeric_limits<double>::infinity();
             to.child[lane] = TreeNode::leaf;
             continue;
         }
@@ -40,6 +42,11 @@ void SharedCut::fill(const Children& children, std::size_t size) {
         to.slope_hi_x[lane] = from.slope_hi_x[k];
         to.slope_lo_y[lane] = from.slope_lo_y[k];
         to.slope_hi_y[lane] = from.slope_hi_y[k];
+        to.highest[lane] = from.highest[k];
+        to.across_x[lane] = from.across_x[k];
+        to.across_y[lane] = from.across_y[k];
+        to.strip_lo[lane] = from.strip_lo[k];
+        to.strip_hi[lane] = from.strip_hi[k];
     }
 }
 

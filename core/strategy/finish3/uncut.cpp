@@ -18,7 +18,7 @@ namespace {
 
 /// Facets that a thread takes at a time, at least, in so many blocks at most, and those between two looks at
 /// the cancel flag.
-constexpr std::size_t block_facets = 64, most_blocks = 4096;
+constexpr std::size_t block_facets = 64, max_blocks = 4096;
 constexpr std::size_t check_every = 8192;
 /// Samples beyond one a facet: some seconds of work.
 constexpr double max_samples = 4e6;
@@ -190,7 +190,7 @@ public:
     UncutReport run(const Progress& progress) {
         const std::size_t facets = in_.mesh->facet_count();
         return parallel_reduce(
-            facets, std::max(block_facets, facets / most_blocks), UncutReport(), progress,
+            facets, std::max(block_facets, facets / max_blocks), UncutReport(), progress,
             [&](std::size_t begin, std::size_t end) {
                 UncutReport report;
                 for (std::size_t f = begin; f < end; ++f)
