@@ -75,6 +75,13 @@ CuspField::Sample CuspField::sample_of(const Vec2& xy, const AxialContact& c) co
     return s;
 }
 
+/// The entry is convex along a piece, and a normal of the cutter where it is met tells its slope.
+bool CuspField::rises(const Vec3& from, const Vec3& to, const Vec3& p, const Vec3& n, double entry) const {
+    if (!(std::abs(entry) < infinity)) return false;
+    const auto out = in_.cover->ball_normal(p + entry * n - from);
+    return out && out->dot(to - from) <= 0; // the line comes in against the normal
+}
+
 /// The smallest entry along one piece of a run: convex, because a swept convex body is convex.
 double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k,
                               const Vec3& p, const Vec3& n, Ends& ends) const {
@@ -83,7 +90,9 @@ double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint
                b = in_.frame.point(run[k + 1].s, line.v, run[k + 1].z);
     const auto f = [&](double x) { return in_.cover->ray_entry(p, n, a + x * (b - a), limit); };
     if (std::isnan(ends.a)) ends.a = in_.cover->ray_entry(p, n, a, limit);
+    if (rises(a, b, p, n, ends.a)) return ends.a;
     if (std::isnan(ends.b)) ends.b = in_.cover->ray_entry(p, n, b, limit);
+    if (rises(b, a, p, n, ends.b)) return ends.b;
     const double f0 = ends.a, f1 = f(0.5), f2 = ends.b;
     double least = std::min({f0, f1, f2});
     if (least == infinity) return least;
@@ -98,23 +107,13 @@ double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint
     return std::min(least, min_where_finite(f, 0, 1, f0 < f2));
 }
 
-/// The entry is convex along a piece, and a normal of the cutter where it is met tells its slope.
-bool CuspField::rises(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t from,
-                      std::size_t to, const Vec3& p, const Vec3& n, double entry) const {
-    if (!(std::abs(entry) < infinity)) return false;
-    const Vec3 tip = in_.frame.point(run[from].s, line.v, run[from].z);
-    const auto out = in_.cover->ball_normal(p + entry * n - tip);
-    if (!out) return false;
-    const Vec3 motion = in_.frame.point(run[to].s, line.v, run[to].z) - tip;
-    return out->dot(motion) <= 0; // the line comes in against the normal
-}
-
 double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
                             const Vec3& n) const {
     const double limit = 2 * in_.cover->radius();
     const auto at_point = [&](const LinePoint& q) {
         return in_.cover->ray_entry(p, n, in_.frame.point(q.s, line.v, q.z), limit);
     };
+    const auto point = [&](std::size_t i) { return in_.frame.point(run[i].s, line.v, run[i].z); };
     if (run.size() == 1) return at_point(run[0]);
     const auto after = first_behind(run, u);
     const std::size_t last = run.size() - 2;
@@ -140,7 +139,7 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
     // Neighbours share an end.
     const double first_b = ends.b;
     for (std::size_t left = k; left > 0; --left) {
-        if (rises(line, run, left, left - 1, p, n, ends.a)) break;
+        if (rises(point(left), point(left - 1), p, n, ends.a)) break;
         ends = {std::numeric_limits<double>::quiet_NaN(), ends.a};
         const double t = piece_entry(line, run, left - 1, p, n, ends);
         if (!(t < here)) break;
@@ -148,7 +147,7 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
     }
     ends.b = first_b;
     for (std::size_t right = k; right < last; ++right) {
-        if (rises(line, run, right + 1, right + 2, p, n, ends.b)) break;
+        if (rises(point(right + 1), point(right + 2), p, n, ends.b)) break;
         ends = {ends.b, std::numeric_limits<double>::quiet_NaN()};
         const double t = piece_entry(line, run, right + 1, p, n, ends);
         if (!(t < here)) break;

@@ -69,15 +69,15 @@ public:
 
 private:
     Sample sample_of(const Vec2& xy, const AxialContact& contact) const;
-    /// Entries at the ends of a piece; not a number where they are not known yet.
+    /// Entries at the ends of a piece; not a number where they are not known yet, or not wanted.
     struct Ends {
         double a = std::numeric_limits<double>::quiet_NaN(), b = a;
     };
     double piece_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, const Vec3& p,
                        const Vec3& n, Ends& ends) const;
-    /// True where the entry surely does not become less from run[from] to run[to]: `entry` is that at `from`.
-    bool rises(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t from, std::size_t to,
-               const Vec3& p, const Vec3& n, double entry) const;
+    /// True where the entry surely does not become less from one tip to another; `entry` is that at the
+    /// first.
+    bool rises(const Vec3& from, const Vec3& to, const Vec3& p, const Vec3& n, double entry) const;
     double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
                      const Vec3& n) const;
 
