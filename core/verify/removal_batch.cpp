@@ -127,7 +127,7 @@ private:
         met.ask(swept, p, step, last - first + 1, low_, high_, wanted);
         for (int i = first; i <= last; ++i) {
             const auto lane = std::size_t(i - first);
-            if (!(met.lo[lane] <= met.hi[lane])) continue;
+            if (!wanted[lane] || !(met.lo[lane] <= met.hi[lane])) continue;
             const float from = float(met.lo[lane]), to = float(met.hi[lane]);
             const int ray = row_start + i;
             if (is_void(ray, from, to)) continue;

@@ -165,8 +165,8 @@ public:
     static constexpr int lanes = 16;
     using Values = std::array<double, lanes>;
     using Flags = std::array<std::int64_t, lanes>; ///< 0 or not; as wide as the values
-    /// Sets lo and hi of the `count` lines (p + i step) + t direction that are wanted; empty where lo > hi.
-    /// Those that have nothing between `low` and `high`, or are not wanted, may come back empty.
+    /// Sets lo and hi of the `count` lines (p + i step) + t direction that are wanted, empty where lo > hi,
+    /// and of the others to anything. Those that have nothing between `low` and `high` may come back empty.
     void ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low, double high,
              Flags wanted);
 

@@ -216,37 +216,56 @@ void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int 
     touch(swept, 1, c, count, wanted, exit);
     const double least = swept.exit_.front().c0, most = swept.exit_.back().c1;
     const double per_sine = 1 / swept.sine_, per_t = swept.u_along_, length = swept.length_;
-    Flags enters_first{}, enters_last{}, leaves_first{}, leaves_last{};
-    std::int64_t first = 0, last = 0;
+    // Which lines need the body at an end, 1 or 0. By pointers: compilers do not see through arrays in
+    // structs.
+    Values from, to, enters_first, enters_last, leaves_first, leaves_last;
+    const double *const cs = c.data(), *const entry_y = entry.y.data(), *const entry_l = entry.l.data(),
+                        *const exit_y = exit.y.data(), *const exit_l = exit.l.data();
+    double *const from_at = from.data(), *const to_at = to.data(), *const ef = enters_first.data(),
+                  *const el = enters_last.data(), *const lf = leaves_first.data(),
+                  *const ll = leaves_last.data();
     for (int i = 0; i < count; ++i) {
         const double y = y0 + i * dy, l = l0 + i * dl;
-        const double a = (entry.y[i] - y) * per_sine, b = (exit.y[i] - y) * per_sine;
-        // The tool that had moved for ever would not reach the others either.
-        const bool met = (wanted[i] != 0) & (c[i] >= least) & (c[i] <= most) & (a < high) & (b > low);
-        lo[i] = met ? a : infinity;
-        hi[i] = met ? b : -infinity;
-        const double entry_at = l + a * per_t - entry.l[i], exit_at = l + b * per_t - exit.l[i];
-        enters_first[i] = met & (entry_at < 0);
-        enters_last[i] = met & (entry_at > length);
-        leaves_first[i] = met & (exit_at < 0);
-        leaves_last[i] = met & (exit_at > length);
-        first |= enters_first[i] | leaves_first[i];
-        last |= enters_last[i] | leaves_last[i];
+        const double a = (entry_y[i] - y) * per_sine, b = (exit_y[i] - y) * per_sine;
+        // The tool that had moved for ever would not reach those outside either.
+        const double beside = least - cs[i] > cs[i] - most ? least - cs[i] : cs[i] - most;
+        const double beyond = a - high > low - b ? a - high : low - b;
+        const double outside = beside > beyond ? beside : beyond;
+        const double entry_at = l + a * per_t - entry_l[i], exit_at = l + b * per_t - exit_l[i];
+        const double inside = outside > 0 ? 0.0 : 1.0, enter = entry_at * inside, leave = exit_at * inside;
+        from_at[i] = outside > 0 ? infinity : a;
+        to_at[i] = outside > 0 ? -infinity : b;
+        ef[i] = enter < 0 ? 1.0 : 0.0;
+        el[i] = enter > length ? 1.0 : 0.0;
+        lf[i] = leave < 0 ? 1.0 : 0.0;
+        ll[i] = leave > length ? 1.0 : 0.0;
     }
+    lo = from;
+    hi = to;
     // There the body at the nearer end instead.
-    const auto take = [&](bool is_last, const Flags& enters, const Flags& leaves) {
+    const auto take = [&](bool is_last, const double* enters, const double* leaves) {
         Flags either{};
+        std::int64_t any = 0;
         for (int i = 0; i < count; ++i)
-            either[i] = enters[i] | leaves[i];
+            any |= either[i] = wanted[i] && (enters[i] > 0 || leaves[i] > 0);
+        if (!any) return;
         SweepRow end;
         end.set_at_end(swept, p, step, count, is_last, either);
+        const double *const end_lo = end.lo.data(), *const end_hi = end.hi.data();
+        double *const lows = lo.data(), *const highs = hi.data();
         for (int i = 0; i < count; ++i) {
-            lo[i] = enters[i] ? end.lo[i] : lo[i];
-            hi[i] = leaves[i] ? end.hi[i] : hi[i];
+            const double a = end_lo[i], b = end_hi[i], old_a = lows[i], old_b = highs[i];
+            lows[i] = enters[i] > 0 ? a : old_a;
+            highs[i] = leaves[i] > 0 ? b : old_b;
         }
     };
-    if (first) take(false, enters_first, leaves_first);
-    if (last) take(true, enters_last, leaves_last);
+    take(false, ef, lf);
+    take(true, el, ll);
+    for (int i = 0; i < count; ++i)
+        if (!wanted[i]) {
+            lo[i] = infinity;
+            hi[i] = -infinity;
+        }
 }
 
 } // namespace facetmill
