@@ -66,9 +66,8 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
         one.enabled = s.enabled;
         one.area = s.area;
         one.name = s.name + " · " + area_text(s.area, unit);
-        one.detail = s.reason;
-        one.detail += s.tool > 0 ? " · tool " + std::to_string(s.tool) : " · no tool yet";
-        if (!s.enabled) one.detail = "switched off · " + one.detail;
+        one.detail = (s.enabled ? "" : "switched off · ") + s.reason
+                     + (s.tool > 0 ? " · tool " + std::to_string(s.tool) : std::string(" · no tool yet"));
         Points points(one.points, display->center);
         Vec3 middle = Vec3::Zero();
         double weight = 0;

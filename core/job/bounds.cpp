@@ -23,14 +23,23 @@ std::string text_of(const Project& project, const Boundary& boundary) {
     return key.text();
 }
 
-/// "the fixture 'Clamp'", "the tabs 'A', 'B', 'C' and 2 more"; empty for none.
-std::string named(const std::vector<std::string>& names, const std::string& one, const std::string& several) {
-    if (names.empty()) return {};
-    std::string text = (names.size() == 1 ? one : several) + " ";
+/// "'Clamp'", "'A', 'B', 'C' and 2 more"; empty for none.
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
     for (std::size_t i = 0; i < names.size() && i < max_named; ++i)
         text += (i > 0 ? ", '" : "'") + printable(names[i], 60) + "'";
-    if (names.size() > max_named) text += " and " + std::to_string(names.size() - max_named) + " more";
-    return text;
+    if (names.size() <= max_named) return text;
+    return text + " and " + std::to_string(names.size() - max_named) + " more";
+}
+
+std::string fixtures_text(const std::vector<std::string>& names) {
+    if (names.empty()) return {};
+    return names.size() == 1 ? "the fixture " + listed(names) : "the fixtures " + listed(names);
+}
+
+std::string tabs_text(const std::vector<std::string>& names) {
+    if (names.empty()) return {};
+    return names.size() == 1 ? "the tab " + listed(names) : "the tabs " + listed(names);
 }
 
 /// Names and smallest clearance of a setup's fixtures.
@@ -44,10 +53,9 @@ KeptFixtures kept_fixtures(const PreparedPart& part, const ContactIndexPtr& grow
         table = table || f.table;
         if (!f.table) (f.tab ? tabs : fixtures).push_back(f.name);
     }
-    for (const std::string& words :
-         {named(fixtures, "the fixture", "the fixtures"), named(tabs, "the tab", "the tabs"),
-          std::string(table ? "what holds the stock from below" : "")})
-        if (!words.empty()) kept.names += (kept.names.empty() ? "" : " or ") + words;
+    for (const std::string& words : {fixtures_text(fixtures), tabs_text(tabs),
+                                     table ? std::string("what holds the stock from below") : std::string()})
+        if (!words.empty()) kept.names = kept.names.empty() ? words : kept.names + " or " + words;
     return kept;
 }
 
@@ -123,7 +131,8 @@ void BoundsCache::avoid(const Project& project, const Boundary& boundary, double
     bounds.contact = made.all;
     bounds.off.grown = made.fixtures;
     bounds.off.clearance = std::min(bounds.off.clearance, distance);
-    bounds.off.names += (bounds.off.names.empty() ? "" : " and ") + place + " to avoid";
+    bounds.off.names =
+        bounds.off.names.empty() ? place + " to avoid" : bounds.off.names + " and " + place + " to avoid";
 }
 
 OperationBounds BoundsCache::of(const Project& project, const Operation& operation, const PreparedPart& part,

@@ -103,11 +103,10 @@ Verdict verdict_of(std::span<const JudgedChain> chains) {
 std::string findings_line(std::span<const JudgedChain> chains) {
     std::string all;
     for (const JudgedChain& chain : chains) {
-        const std::string line = findings_line(project_of(chain), chain.programs.programs, *chain.result);
+        std::string line = findings_line(project_of(chain), chain.programs.programs, *chain.result);
         if (line.empty()) continue;
-        if (chains.size() > 1)
-            all += (all.empty() ? "" : "; ") + ("from setup '" + printable(project_of(chain).name) + "': ");
-        all += line;
+        if (chains.size() > 1) line = "from setup '" + printable(project_of(chain).name) + "': " + line;
+        all += (all.empty() ? "" : "; ") + line;
     }
     return all;
 }

@@ -47,9 +47,9 @@ void add_programs(OpenedProgram& opened, const Project& project, std::vector<Ver
 
 std::string name_of(const std::vector<std::filesystem::path>& files) {
     if (files.empty()) return {};
-    std::string name = files.front().filename().string();
-    if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
-    return name;
+    const std::string first = files.front().filename().string();
+    if (files.size() == 1) return first;
+    return first + " and " + std::to_string(files.size() - 1) + " more";
 }
 
 } // namespace

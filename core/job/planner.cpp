@@ -57,8 +57,10 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
                        + " motions as planned: ";
     for (std::size_t i = 0; i < std::min(run.findings, max_findings_told); ++i)
         text += (i > 0 ? "; " : "") + finding_text(motion.findings[i], machine, unit);
-    if (run.findings > max_findings_told)
-        text += "; and " + std::to_string(run.findings - max_findings_told) + " more";
+    if (run.findings > max_findings_told) {
+        const std::string rest = "and " + std::to_string(run.findings - max_findings_told) + " more";
+        text += "; " + rest;
+    }
     run.warnings.push_back(std::move(text));
     return run;
 }

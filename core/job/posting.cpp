@@ -269,8 +269,10 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
                                  : std::make_shared<const ClSection>(moved_section(*read.sections[i], zero));
         const auto tool = std::find_if(project.tools.begin(), project.tools.end(),
                                        [&](const Tool& t) { return t.number == section->tool_number; });
-        VerifyProgram program{file, VerifyTool(*tool), {section, &section->motions}, turning, {}, machine};
-        if (read.sections.size() > 1) program.name += ", tool " + std::to_string(section->tool_number);
+        std::string called =
+            read.sections.size() == 1 ? file : file + ", tool " + std::to_string(section->tool_number);
+        VerifyProgram program{
+            std::move(called), VerifyTool(*tool), {section, &section->motions}, turning, {}, machine};
         program.lines = std::move(read.lines[i]);
         if (!read.joints[i].empty())
             program.joints = std::make_shared<const std::vector<Joints>>(std::move(read.joints[i]));

@@ -185,6 +185,13 @@ std::string touched_text(const Collision& collision) {
     return collision.with_part ? " in the part" : " in the stock";
 }
 
+/// "the shank in the part".
+std::string collider_text(const Collision& collision) {
+    const std::string touched = touched_text(collision);
+    if (collision.kind == Collision::Kind::rapid) return "a rapid" + touched;
+    return std::string("the ") + kind_name(collision.kind) + touched;
+}
+
 std::string uncut_reason_text(const UncutReason& reason) {
     const std::string of = reason.program.empty() ? "" : " of '" + printable(reason.program) + "'";
     switch (reason.why) {
@@ -320,8 +327,9 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
     result.ignored = std::move(read.ignored);
     for (std::size_t i = 0; i < read.program.sections.size(); ++i) {
         const auto& section = read.program.sections[i];
-        std::string name = path.filename().string();
-        if (read.program.sections.size() > 1) name += ", operation " + std::to_string(i + 1);
+        const std::string own = path.filename().string();
+        std::string name =
+            read.program.sections.size() == 1 ? own : own + ", operation " + std::to_string(i + 1);
         VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
         result.programs.push_back(
             {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt, {}, machine});
@@ -472,24 +480,24 @@ std::string verify_json(const Project& project, std::span<const VerifyProgram> p
 std::string findings_line(const Project& project, std::span<const VerifyProgram> programs,
                           const Verification& v) {
     std::string line;
+    const auto join = [&](const std::string& more) { line += (line.empty() ? "" : "; ") + more; };
     if (v.gouged()) {
-        line = "gouge of " + length_text(std::max(v.figures.gouge_max, v.border.gouge_max), project.unit);
-        if (!v.gouges.empty()) line += " (" + place_text(v.gouges.front().by, programs) + ")";
-        line += ", limit " + length_text(v.used.gouge_limit, project.unit);
+        const std::string deep = length_text(std::max(v.figures.gouge_max, v.border.gouge_max), project.unit);
+        const std::string limit = length_text(v.used.gouge_limit, project.unit);
+        join(v.gouges.empty() ? "gouge of " + deep + ", limit " + limit
+                              : "gouge of " + deep + " (" + place_text(v.gouges.front().by, programs)
+                                    + "), limit " + limit);
     }
     if (!v.collisions.empty()) {
         const auto worst =
             std::max_element(v.collisions.begin(), v.collisions.end(),
                              [](const Collision& a, const Collision& b) { return a.depth < b.depth; });
-        const std::size_t count = v.collisions.size();
-        line += (line.empty() ? "" : "; ") + std::to_string(count)
-                + (count == 1 ? " collision" : " collisions") + ", the deepest "
-                + length_text(worst->depth, project.unit) + " by "
-                + (worst->kind == Collision::Kind::rapid ? "a rapid"
-                                                         : std::string("the ") + kind_name(worst->kind))
-                + touched_text(*worst) + " (" + place_text(worst->at, programs) + ")";
+        const std::string deep = length_text(worst->depth, project.unit) + " by " + collider_text(*worst)
+                                 + " (" + place_text(worst->at, programs) + ")";
+        join(v.collisions.size() == 1
+                 ? "1 collision, the deepest " + deep
+                 : std::to_string(v.collisions.size()) + " collisions, the deepest " + deep);
     }
-    const auto join = [&](const std::string& more) { line += (line.empty() ? "" : "; ") + more; };
     if (v.left_uncut())
         join(uncut_text(v, project.unit));
     else if (!line.empty())

@@ -14,6 +14,21 @@ Vec3 vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
+/// -1 to 1, as the form has it.
+std::string level_text(double at) {
+    if (at == -1) return "bottom";
+    if (at == 0) return "middle height";
+    if (at == 1) return "top";
+    return format_number(50 * (at + 1), 4) + " % of";
+}
+
+std::string side_text(double at, const std::string& axis) {
+    if (at == -1) return "low " + axis;
+    if (at == 0) return "middle of " + axis;
+    if (at == 1) return "high " + axis;
+    return format_number(50 * (at + 1), 4) + " % of " + axis;
+}
+
 } // namespace
 
 Vec3 work_zero(const ProgramSpec& spec, const Box3& part, const Box3& stock) {
@@ -47,16 +62,10 @@ std::string work_zero_name(const Project& project) {
 std::string work_zero_text(const ProgramSpec& spec, LengthUnit unit) {
     std::string text = "the part's origin";
     if (spec.zero_from != From::origin) {
-        text = spec.zero_from == From::stock ? "the stock's " : "the part's ";
-        const auto place = [](double at, const char* low, const char* middle, const char* high) {
-            return at == -1  ? std::string(low)
-                   : at == 0 ? std::string(middle)
-                   : at == 1 ? std::string(high)
-                             : format_number(50 * (at + 1), 4) + " % of";
-        };
-        text += place(spec.zero_place[2], "bottom", "middle height", "top") + ", "
-                + place(spec.zero_place[0], "low", "middle of", "high") + " X, "
-                + place(spec.zero_place[1], "low", "middle of", "high") + " Y";
+        const std::string z = level_text(spec.zero_place[2]), x = side_text(spec.zero_place[0], "X"),
+                          y = side_text(spec.zero_place[1], "Y");
+        text = spec.zero_from == From::stock ? "the stock's " + z + ", " + x + ", " + y
+                                             : "the part's " + z + ", " + x + ", " + y;
     }
     if (spec.zero == std::array<double, 3>{0, 0, 0}) return text;
     text += " + (";

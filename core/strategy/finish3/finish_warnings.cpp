@@ -12,20 +12,23 @@ namespace {
 std::string held_warning(const FinishWarnings& w) {
     const PlanText text{w.context.unit, w.context.to_setup};
     const Tool& tool = w.context.tool;
-    std::string longer;
-    if (w.held.lack.shank > 0)
-        longer = "flutes of " + text(tool.flute_length + w.held.lack.shank) + " instead of "
-                 + text(tool.flute_length);
-    if (w.held.lack.holder > 0)
-        longer += (longer.empty() ? "" : " and ") + std::string("a stick-out of ")
-                  + text(tool.flute_length + tool.shank_length + w.held.lack.holder)
-                  + " below the holder instead of " + text(tool.flute_length + tool.shank_length);
-    std::string what = "the tool is short: shank or holder would come into the part, so "
-                       + share_text(w.held.left_length, w.held.length) + " of the passes are left out";
-    if (const UncutPlaces& u = w.uncut.held; u.height > 0)
-        what += " and " + share_text(u.area, w.uncut.area) + " of the surface stays uncut by up to "
-                + text(u.height) + ", most at " + text(u.at);
-    return what + ": " + longer + " would reach it, or a tool that tilts (finish5)";
+    const double flutes = tool.flute_length, out = tool.flute_length + tool.shank_length;
+    const std::string more_flutes = text(flutes + w.held.lack.shank),
+                      more_out = text(out + w.held.lack.holder);
+    const std::string longer =
+        !(w.held.lack.shank > 0) ? "a stick-out of " + more_out + " below the holder instead of " + text(out)
+        : w.held.lack.holder > 0
+            ? "flutes of " + more_flutes + " instead of " + text(flutes) + " and a stick-out of " + more_out
+                  + " below the holder instead of " + text(out)
+            : "flutes of " + more_flutes + " instead of " + text(flutes);
+    const UncutPlaces& u = w.uncut.held;
+    return "the tool is short: shank or holder would come into the part, so "
+           + share_text(w.held.left_length, w.held.length) + " of the passes are left out"
+           + (u.height > 0
+                  ? " and " + share_text(u.area, w.uncut.area) + " of the surface stays uncut by up to "
+                        + text(u.height) + ", most at " + text(u.at)
+                  : "")
+           + ": " + longer + " would reach it, or a tool that tilts (finish5)";
 }
 
 } // namespace

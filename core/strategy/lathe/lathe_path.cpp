@@ -49,14 +49,12 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
         look(progress.part(0.2, 0.3, "Looking for what stays uncut"));
         base_.cusp_max = std::max(level, reach_.crease_cusp) + chord;
         if (!(base_.cusp_max <= (1 + tolerance::uncut_margin) * (cusp + chord))) {
-            std::string said =
-                counted ? format_number(s.points_per_turn.number) + " lines per turn leave "
-                        : "the side feed of " + length_text(s.side_feed.number, context.unit) + " leaves ";
-            said += base_.cusp_max < infinity ? "cusps of " : "places uncut";
-            if (base_.cusp_max < infinity) said += length_text(base_.cusp_max, context.unit);
-            said += "; the tolerance allows ";
-            said += length_text(cusp, context.unit);
-            base_.warnings.push_back(std::move(said));
+            base_.warnings.push_back(
+                (counted ? format_number(s.points_per_turn.number) + " lines per turn leave "
+                         : "the side feed of " + length_text(s.side_feed.number, context.unit) + " leaves ")
+                + (base_.cusp_max < infinity ? "cusps of " + length_text(base_.cusp_max, context.unit)
+                                             : "places uncut")
+                + "; the tolerance allows " + length_text(cusp, context.unit));
         }
         if (base_.cusp_max == infinity) base_.cusp_max = std::max(field_->stock_radius(), part_radius);
     } else {

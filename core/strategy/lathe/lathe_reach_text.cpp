@@ -66,7 +66,10 @@ std::vector<std::string> reach_warnings(const LatheReach& reach, LengthUnit unit
             places += (places.empty() ? "" : "; ") + place_text(r, unit);
         }
         if (regions == 0) continue;
-        if (regions > max_named) places += "; and " + std::to_string(regions - max_named) + " more";
+        if (regions > max_named) {
+            const std::string rest = "and " + std::to_string(regions - max_named) + " more";
+            places += "; " + rest;
+        }
         const double per = mm_per(unit);
         warnings.push_back(std::string(what) + ": " + format_number(area / (per * per), 3) + " "
                            + std::string(unit_name(unit)) + "² (" + share_text(area, reach.area)
