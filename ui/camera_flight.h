@@ -15,6 +15,8 @@ public:
     explicit CameraFlight(Viewport& viewport);
     /// From where the camera is now; a flight under way gives way.
     void fly_to(const CameraPlace& place);
+    /// Where it has come to.
+    void stop() { animation_.stop(); }
     bool flying() const { return animation_.state() == QAbstractAnimation::Running; }
 
 private:

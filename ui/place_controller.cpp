@@ -98,8 +98,10 @@ void PlaceController::part_changed() {
     const Box3 now = document_.part()->box;
     const bool other = !box_.empty() && (now.lo != box_.lo || now.hi != box_.hi);
     box_ = now;
+    if (!other) return;
+    flight_->stop(); // to a face that is elsewhere now
     // After all have heard of the part: the stock goes with it.
-    if (other) QTimer::singleShot(0, this, [this] { viewport_.fit(); });
+    QTimer::singleShot(0, this, [this] { viewport_.fit(); });
 }
 
 void PlaceController::panel_seen(bool) {

@@ -265,6 +265,8 @@ private slots:
         const QString program = text_of(files.filter(QStringLiteral(".nc")).front());
         QVERIFY2(program.contains(QStringLiteral("G21")) && program.count(QStringLiteral("G1")) > 20,
                  qPrintable(program.left(300)));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral(" files into ")),
+                 qPrintable(w().message_bar().message()));
         QCOMPARE(steps().next(), FirstSteps::step_count);
         w().resize(800, 600);
         QTest::qWait(30);
@@ -318,6 +320,8 @@ private slots:
         const Box3 laid = w().document().part()->box;
         QVERIFY2(std::abs(laid.size().z() - 0.75 * mm_per_inch) < 0.1,
                  qPrintable(QString::number(laid.size().z())));
+        QVERIFY(shows_all(view));
+        shot(w(), QStringLiteral("mould-laid"));
         QTest::keyClick(&w(), Qt::Key_0);
 
         w().tree().select({TreeNode::Kind::machine, 0});

@@ -121,6 +121,22 @@ private slots:
         QVERIFY(!w().document().undo_stack().canUndo());
     }
 
+    /// Laid while the view still flies to the face: the flight does not go on to where that was.
+    void a_double_click_lays_and_fits() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(shows_all(w().viewport()));
+        w().viewport().scene().camera().zoom_at(200, 200, 8);
+        QVERIFY(!shows_all(w().viewport()));
+        const QPoint row = list()->visualItemRect(list()->topLevelItem(1)).center();
+        QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, row);
+        QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, row);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on face"));
+        QTest::qWait(300); // as long as a flight takes
+        QVERIFY(shows_all(w().viewport()));
+    }
+
     /// In a dialog that begins with the axis that there is; what it leaves as it was is no step.
     void the_tool_axis_of_an_operation_is_told_by_angles() {
         const auto axis = [&] {

@@ -48,6 +48,21 @@ QImage view_picture(ui::MainWindow& window) {
     return window.viewport().full_picture();
 }
 
+bool shows_all(ui::Viewport& view) {
+    const Box3 box = view.scene().bounds();
+    Vec2 lo = Vec2::Constant(infinity), hi = -lo;
+    for (int c = 0; c < 8; ++c) {
+        const Vec3 corner(c & 1 ? box.hi.x() : box.lo.x(), c & 2 ? box.hi.y() : box.lo.y(),
+                          c & 4 ? box.hi.z() : box.lo.z());
+        const Vec2 at = view.scene().camera().display_of(corner) / view.devicePixelRatioF();
+        lo = lo.cwiseMin(at);
+        hi = hi.cwiseMax(at);
+    }
+    const Vec2 size(view.width(), view.height());
+    return (lo.array() >= 0).all() && (hi.array() <= size.array()).all()
+           && ((hi - lo).array() > 0.4 * size.array()).any();
+}
+
 int changed_pixels(const QImage& a, const QImage& b, int least) {
     if (a.size() != b.size()) return a.width() * a.height();
     int count = 0;

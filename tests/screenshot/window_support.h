@@ -30,6 +30,9 @@ QImage shot(QWidget& widget, const QString& name);
 /// What the 3D view shows, drawn anew.
 QImage view_picture(ui::MainWindow& window);
 
+/// Part and stock are in the view whole, and fill it.
+bool shows_all(ui::Viewport& view);
+
 /// Number of pixels that differ by more than `least` of 255 in a colour; all of them when the sizes differ.
 int changed_pixels(const QImage& a, const QImage& b, int least = 24);
 
