@@ -138,7 +138,8 @@ void BoundaryBox::build_changes(QVBoxLayout* column) {
     column->addWidget(holder);
     auto* by = new QHBoxLayout;
     auto* by_label = new QLabel(tr("Grow and shrink by"), painting_);
-    by->addWidget(by_label);
+    by_label->setWordWrap(true);
+    by->addWidget(by_label, 1);
     distance_ = number_box(painting_, "paint_distance", 1e5, 3);
     distance_->setSpecialValueText(tr("one ring"));
     distance_->setAccessibleName(by_label->text());

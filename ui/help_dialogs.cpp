@@ -15,7 +15,7 @@ void show_shortcuts(QWidget* window) {
     QString rows;
     const auto row = [&](const QString& key, const QString& what) {
         rows += QStringLiteral("<tr><td style=\"padding:2px 18px 2px 0; white-space:nowrap\"><b>%1</b></td>"
-                               "<td style=\"padding:2px 0; white-space:nowrap\">%2</td></tr>")
+                               "<td style=\"padding:2px 0\">%2</td></tr>")
                     .arg(key, what);
     };
     for (const QString& line : navigation_words(settings::navigation().style))

@@ -61,7 +61,7 @@ public:
         for (int i = 0; i < parts; ++i) {
             auto* line = new QLineEdit(this);
             line->setObjectName(text(info.key) + (parts > 1 ? QString::number(i) : QString()));
-            line->setMinimumWidth(parts > 1 ? 36 : 60);
+            line->setMinimumWidth(parts > 1 ? 32 : 60);
             line->setMaxLength(200);
             connect(line, &QLineEdit::textEdited, this, [this] {
                 touched_ = true;

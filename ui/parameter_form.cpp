@@ -7,6 +7,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"
+#include "ui/whole_text.h"
 #include "ui/worded.h"
 
 #include <QApplication>
@@ -14,9 +15,11 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -177,6 +180,8 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.editor->setProperty(help_key_property, text(info.key));
     row.unit = new QLabel(holder);
     row.unit->setForegroundRole(QPalette::PlaceholderText);
+    row.unit->setMinimumWidth(
+        row.unit->fontMetrics().horizontalAdvance(text(edge_unit_name(info.quantity, LengthUnit::inch))));
     row.reset = new QToolButton(holder);
     row.reset->setIcon(icon(Icon::reset));
     row.reset->setIconSize(QSize(14, 14));
@@ -246,8 +251,10 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         emit edited(key, value);
     });
     name_fields(fields_of(*row.editor), row.label->text());
+    row.editor->setAccessibleDescription(worded(info.help));
     for (QWidget* w : row.editor->findChildren<QWidget*>())
         w->installEventFilter(this);
+    row.editor->installEventFilter(this);
     row.label->installEventFilter(this);
     rows_.push_back(row);
 }
@@ -260,9 +267,7 @@ void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
         const bool same = row.has_value && value == row.value && !unit_changed;
         row.value = value;
         row.has_value = true;
-        row.unit->setText(text(edge_unit_name(row.info->quantity, unit)));
-        row.label->setToolTip(help_of(row));
-        row.editor->setToolTip(row.label->toolTip());
+        row.unit->setText(worded(edge_unit_name(row.info->quantity, unit)));
         // A list has a button of its own that clears it.
         row.reset->setVisible(row.info->kind != ParameterKind::text && !row.info->is_list()
                               && value != row.info->default_value);
@@ -378,7 +383,7 @@ void ParameterForm::show_help(const Row* row) {
 
 ParameterForm::Row* ParameterForm::row_of(const QObject* widget) {
     for (Row& row : rows_)
-        if (row.label == widget
+        if (row.label == widget || row.editor == widget
             || (widget && widget->parent()
                 && (widget->parent() == row.editor || widget->parent()->parent() == row.editor)))
             return &row;
@@ -388,6 +393,13 @@ ParameterForm::Row* ParameterForm::row_of(const QObject* widget) {
 bool ParameterForm::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::Enter)
         if (const Row* row = row_of(object)) show_help(row);
+    // Made when it is asked for: drawings and ranges of a whole form would hold the window up.
+    if (auto* at = qobject_cast<QWidget*>(object); at && event->type() == QEvent::ToolTip)
+        if (const Row* row = row_of(object); row && at->toolTip().isEmpty()) {
+            QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                               with_whole_text(*at, help_of(*row)), at);
+            return true;
+        }
     return QWidget::eventFilter(object, event);
 }
 

@@ -78,7 +78,9 @@ PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
 
 void PlacePanel::build_list(QVBoxLayout* column) {
     auto* head = new QHBoxLayout;
-    head->addWidget(section(tr("Lay it on a face"), this), 1);
+    auto* title = section(tr("Lay it on a face"), this);
+    title->setWordWrap(true);
+    head->addWidget(title, 1);
     order_ = new QComboBox(this);
     order_->setObjectName(QStringLiteral("place_order"));
     order_->addItems({tr("Best first"), tr("Largest first")});

@@ -8,17 +8,20 @@
 #include "ui/value_words.h"
 #include "ui/worded.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace facetmill::ui {
 
 namespace {
 
 QString heading(const ParameterInfo& field, LengthUnit unit) {
-    const QString in = text(edge_unit_name(field.quantity, unit));
+    const QString in = worded(edge_unit_name(field.quantity, unit));
     return in.isEmpty() ? worded(field.label) : QStringLiteral("%1\n(%2)").arg(worded(field.label), in);
 }
 
@@ -53,7 +56,7 @@ RecordTable::RecordTable(std::vector<const ParameterInfo*> fields, LengthUnit un
         head->setToolTip(worded(field.help));
         table_->setHorizontalHeaderItem(k, head);
     }
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->installEventFilter(this);
     table_->verticalHeader()->setVisible(false);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setMinimumHeight(86);
@@ -72,6 +75,22 @@ RecordTable::RecordTable(std::vector<const ParameterInfo*> fields, LengthUnit un
     row->setContentsMargins(4, 4, 4, 4);
     row->addWidget(table_, 1);
     row->addLayout(buttons_);
+}
+
+bool RecordTable::eventFilter(QObject* object, QEvent* event) {
+    if (object == table_ && (event->type() == QEvent::Resize || event->type() == QEvent::Show)) fit_columns();
+    return QWidget::eventFilter(object, event);
+}
+
+/// As wide as their heads, and what is left shared out; where there is too little the table is scrolled.
+void RecordTable::fit_columns() {
+    QHeaderView* heads = table_->horizontalHeader();
+    int need = 0;
+    for (int k = 0; k < heads->count(); ++k)
+        need += heads->sectionSizeHint(k);
+    const int more = std::max(0, table_->viewport()->width() - need) / std::max(1, heads->count());
+    for (int k = 0; k < heads->count(); ++k)
+        heads->resizeSection(k, heads->sectionSizeHint(k) + more);
 }
 
 void RecordTable::add_button(QToolButton* button) {

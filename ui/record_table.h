@@ -39,7 +39,11 @@ public:
 signals:
     void edited();
 
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
 private:
+    void fit_columns();
     void show();
     void show_row(int row, const std::vector<ParameterValue>& record);
     void read();

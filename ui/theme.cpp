@@ -1,8 +1,12 @@
 #include "ui/theme.h"
 
+#include "ui/whole_text.h"
 #include "viz/palette.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
@@ -73,6 +77,27 @@ public:
         constexpr int around = 6;
         const int high = item->icon.actualSize(QSize(wide.toInt(), wide.toInt())).height() + around;
         return {size.width(), std::max(size.height(), high)};
+    }
+    using QProxyStyle::polish;
+    void polish(QWidget* widget) override {
+        QProxyStyle::polish(widget);
+        const bool field = qobject_cast<QLineEdit*>(widget)
+                           && !qobject_cast<QComboBox*>(widget->parentWidget())
+                           && !qobject_cast<QAbstractSpinBox*>(widget->parentWidget());
+        if ((field || qobject_cast<QComboBox*>(widget))
+            && !widget->findChild<WholeText*>(QString(), Qt::FindDirectChildrenOnly))
+            widget->installEventFilter(new WholeText(widget));
+    }
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+        if (element != CE_ComboBoxLabel || !box || box->editable)
+            return QProxyStyle::drawControl(element, option, painter, widget);
+        QStyleOptionComboBox shown(*box);
+        const int icon = box->currentIcon.isNull() ? 0 : box->iconSize.width() + 4;
+        const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - icon;
+        shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+        QProxyStyle::drawControl(element, &shown, painter, widget);
     }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {

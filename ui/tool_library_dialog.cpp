@@ -44,7 +44,7 @@ private:
 };
 
 QString counted(std::size_t tools) {
-    return tools == 1 ? ToolLibraryDialog::tr("1 tool") : ToolLibraryDialog::tr("%1 tools").arg(tools);
+    return ToolLibraryDialog::tr("%1 tools", nullptr, int(tools)).arg(tools);
 }
 
 /// The materials that a tool has feeds for.
@@ -92,6 +92,7 @@ ToolLibraryDialog::ToolLibraryDialog(Document& document, std::filesystem::path f
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
     table_->setWordWrap(false);
     table_->horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
+    table_->horizontalHeader()->setMinimumSectionSize(table_->fontMetrics().averageCharWidth() * 10);
     table_->setSortingEnabled(true);
     table_->sortByColumn(library, Qt::AscendingOrder);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &ToolLibraryDialog::update_buttons);
@@ -185,6 +186,7 @@ void ToolLibraryDialog::show_tools() {
         table_->item(row, number)->setData(entry_role, qulonglong(i));
         table_->item(row, name)->setToolTip(named);
     }
+    table_->horizontalHeader()->setMinimumSectionSize(table_->fontMetrics().averageCharWidth() * 10);
     table_->setSortingEnabled(true);
     table_->resizeColumnsToContents();
     table_->horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);

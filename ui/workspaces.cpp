@@ -109,7 +109,7 @@ void Workspaces::add_row() {
             emit chosen(w);
         });
         buttons_[std::size_t(e.workspace)] = b;
-        row->addWidget(b);
+        row->addWidget(b, 0, Qt::AlignTop); // beside the first line of what may be shown
     }
     row->addWidget(&layers_, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);

@@ -1,17 +1,25 @@
 #include "tests/screenshot/cut_texts.h"
 
 #include "ui/elided_label.h"
+#include "ui/whole_text.h"
 
 #include <QAbstractButton>
-#include <QDockWidget>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
 #include <QGroupBox>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
-#include <QStyleOptionGroupBox>
+#include <QPushButton>
 #include <QTabBar>
-#include <QTextDocument>
 #include <QToolButton>
+#include <QToolTip>
+#include <QTreeWidget>
+
+#include <algorithm>
 
 namespace facetmill::test {
 
@@ -19,89 +27,159 @@ namespace {
 
 constexpr int slack = 1; ///< pixels that rounding takes
 
-QString cut(const QWidget& widget, const QString& words, int room, int need) {
-    QString place;
-    for (const QWidget* w = &widget; w && place.size() < 60; w = w->parentWidget())
-        if (!w->objectName().isEmpty()) place = w->objectName() + QChar('/') + place;
-    return QStringLiteral("%1 %2“%3”: %4 of %5 px")
-        .arg(QLatin1String(widget.metaObject()->className()), place, words.left(60))
-        .arg(room)
-        .arg(need);
+/// What is at fault, in a line.
+class Faults {
+public:
+    explicit Faults(const QWidget& widget) : widget_(widget) {}
+
+    void add(const QString& words, int room, int need) {
+        if (need > room + slack) found << name(words) + QStringLiteral(": %1 of %2 px").arg(room).arg(need);
+    }
+    void add(const QString& words, const char* why) { found << name(words) + QLatin1String(why); }
+
+    QStringList found;
+
+private:
+    QString name(const QString& words) const {
+        QString place;
+        for (const QWidget* w = &widget_; w && place.size() < 60; w = w->parentWidget())
+            if (!w->objectName().isEmpty()) place = w->objectName() + QChar('/') + place;
+        return QStringLiteral("%1 %2“%3”")
+            .arg(QLatin1String(widget_.metaObject()->className()), place, words.left(60));
+    }
+    const QWidget& widget_;
+};
+
+/// To the right and left there is nothing to scroll to.
+void look_at_edges(const QWidget& w, const QString& words, int need, Faults& faults) {
+    const QRect seen = w.visibleRegion().boundingRect();
+    if (!words.isEmpty() && !seen.isEmpty()) faults.add(words, seen.width(), std::min(need, w.width()));
 }
 
-void look_at_label(const QLabel& label, QStringList& found) {
-    if (label.text().isEmpty() || !label.pixmap(Qt::ReturnByValue).isNull()
-        || qobject_cast<const ui::ElidedLabel*>(&label))
+void look_at_label(const QLabel& label, Faults& faults) {
+    const QString words = label.text();
+    if (words.isEmpty() || !label.pixmap(Qt::ReturnByValue).isNull()) return;
+    if (qobject_cast<const ui::ElidedLabel*>(&label)) {
+        if (label.fontMetrics().horizontalAdvance(words) > label.contentsRect().width()
+            && !label.toolTip().contains(words))
+            faults.add(words, ": shortened without a tool tip");
         return;
+    }
     const QSize need = label.wordWrap() ? QSize(0, label.heightForWidth(label.width())) : label.sizeHint();
-    if (need.width() > label.width() + slack) found << cut(label, label.text(), label.width(), need.width());
-    if (need.height() > label.height() + slack)
-        found << cut(label, label.text(), label.height(), need.height());
-    if (!label.wordWrap() || Qt::mightBeRichText(label.text())) return;
+    faults.add(words, label.width(), need.width());
+    faults.add(words, label.height(), need.height());
+    look_at_edges(label, words, need.width(), faults);
+    if (!label.wordWrap() || Qt::mightBeRichText(words)) return;
     // Lines break between words alone.
-    for (const QString& word : label.text().split(QChar(' ')))
-        if (const int width = label.fontMetrics().horizontalAdvance(word);
-            width > label.contentsRect().width())
-            found << cut(label, word, label.contentsRect().width(), width);
+    for (const QString& word : words.split(QChar(' ')))
+        faults.add(word, label.contentsRect().width(), label.fontMetrics().horizontalAdvance(word));
 }
 
-void look_at_button(const QAbstractButton& button, QStringList& found) {
+void look_at_button(const QAbstractButton& button, Faults& faults) {
     const auto* tool = qobject_cast<const QToolButton*>(&button);
-    if (button.text().isEmpty()
+    const QString words = button.text();
+    if (words.isEmpty()
         || (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()))
         return;
-    const int need = button.sizeHint().width();
-    if (need > button.width() + slack) found << cut(button, button.text(), button.width(), need);
+    // Frames may be narrower than a style would like; words may not.
+    int need = button.sizeHint().width();
+    if (tool || qobject_cast<const QPushButton*>(&button))
+        need = button.fontMetrics().size(Qt::TextShowMnemonic, words).width()
+               + (button.icon().isNull() ? 0 : button.iconSize().width() + 4);
+    faults.add(words, button.width(), need);
+    look_at_edges(button, words, need, faults);
 }
 
-void look_at_tabs(const QTabBar& tabs, QStringList& found) {
-    for (int i = 0; i < tabs.count(); ++i) {
-        const int need = tabs.fontMetrics().horizontalAdvance(tabs.tabText(i));
-        if (tabs.tabRect(i).width() < need)
-            found << cut(tabs, tabs.tabText(i), tabs.tabRect(i).width(), need);
-    }
+void look_at_tabs(const QTabBar& tabs, Faults& faults) {
+    for (int i = 0; i < tabs.count(); ++i)
+        faults.add(tabs.tabText(i), tabs.tabRect(i).width(),
+                   tabs.fontMetrics().size(Qt::TextShowMnemonic, tabs.tabText(i)).width());
 }
 
-void look_at_heads(const QHeaderView& heads, QStringList& found) {
+void look_at_heads(const QHeaderView& heads, Faults& faults) {
     if (heads.orientation() != Qt::Horizontal) return;
+    const int beside = 2 * heads.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &heads);
     for (int i = 0; i < heads.count(); ++i) {
         const QString words = heads.model()->headerData(i, Qt::Horizontal).toString();
         int need = 0;
         for (const QString& line : words.split(QChar('\n')))
             need = std::max(need, heads.fontMetrics().horizontalAdvance(line));
-        if (!heads.isSectionHidden(i) && heads.sectionSize(i) < need)
-            found << cut(heads, words, heads.sectionSize(i), need);
+        if (!heads.isSectionHidden(i)) faults.add(words, heads.sectionSize(i), need + beside);
     }
 }
 
-void look_at_menus(const QMenuBar& menus, QStringList& found) {
+void look_at_menus(const QMenuBar& menus, Faults& faults) {
     for (const QAction* a : menus.actions())
-        if (const QRect at = menus.actionGeometry(const_cast<QAction*>(a));
-            a->isVisible() && at.right() > menus.width())
-            found << cut(menus, a->text(), menus.width(), at.right());
+        if (a->isVisible())
+            faults.add(a->text(), menus.width(), menus.actionGeometry(const_cast<QAction*>(a)).right());
+}
+
+/// A field or a choice is shortened with "…" where the pointer is told the whole.
+void look_at_field(QWidget& field, Faults& faults) {
+    const QString whole = ui::shortened_text(field);
+    if (whole.isEmpty()) return;
+    QHelpEvent event(QEvent::ToolTip, field.rect().center(), field.mapToGlobal(field.rect().center()));
+    QApplication::sendEvent(&field, &event);
+    const QString told = QToolTip::text();
+    if (!told.contains(whole.toHtmlEscaped()) && !told.contains(whole))
+        faults.add(whole, ": shortened without a tool tip");
+    QToolTip::hideText();
+}
+
+void look_at_tree(const QTreeWidget& tree, Faults& faults) {
+    for (QTreeWidgetItemIterator it(const_cast<QTreeWidget*>(&tree)); *it; ++it) {
+        const QTreeWidgetItem& item = **it;
+        const QRect row = tree.visualItemRect(&item);
+        if (row.isEmpty() || item.isHidden() || item.isFirstColumnSpanned()) continue;
+        for (int c = 0; c < tree.columnCount(); ++c) {
+            const QString words = item.text(c);
+            if (words.isEmpty() || tree.isColumnHidden(c) || !item.toolTip(c).isEmpty()) continue;
+            const int indent = c == tree.header()->logicalIndex(0) ? row.left() : 0;
+            const int icon = item.icon(c).isNull()       ? 0
+                             : tree.iconSize().isValid() ? tree.iconSize().width()
+                                                         : 16;
+            faults.add(words, tree.columnWidth(c) - indent - icon,
+                       tree.fontMetrics().horizontalAdvance(words));
+        }
+    }
+}
+
+/// What is worked with is there whole, also what has no words.
+void look_at_control(const QWidget& w, Faults& faults) {
+    const bool control = qobject_cast<const QAbstractButton*>(&w) || qobject_cast<const QComboBox*>(&w)
+                         || qobject_cast<const QLineEdit*>(&w) || qobject_cast<const QAbstractSpinBox*>(&w);
+    if (control && !qobject_cast<const QTabBar*>(w.parentWidget()))
+        look_at_edges(w, QStringLiteral("-"), w.width(), faults);
+}
+
+QStringList look_at(const QWidget& w) {
+    Faults faults(w);
+    look_at_control(w, faults);
+    if (const auto* label = qobject_cast<const QLabel*>(&w))
+        look_at_label(*label, faults);
+    else if (const auto* button = qobject_cast<const QAbstractButton*>(&w))
+        look_at_button(*button, faults);
+    else if (const auto* tabs = qobject_cast<const QTabBar*>(&w))
+        look_at_tabs(*tabs, faults);
+    else if (const auto* heads = qobject_cast<const QHeaderView*>(&w))
+        look_at_heads(*heads, faults);
+    else if (const auto* menus = qobject_cast<const QMenuBar*>(&w))
+        look_at_menus(*menus, faults);
+    else if (qobject_cast<const QComboBox*>(&w) || qobject_cast<const QLineEdit*>(&w))
+        look_at_field(const_cast<QWidget&>(w), faults);
+    else if (const auto* tree = qobject_cast<const QTreeWidget*>(&w))
+        look_at_tree(*tree, faults);
+    else if (const auto* group = qobject_cast<const QGroupBox*>(&w))
+        faults.add(group->title(), group->width(), group->fontMetrics().horizontalAdvance(group->title()));
+    return faults.found;
 }
 
 } // namespace
 
 QStringList cut_texts(const QWidget& window) {
     QStringList found;
-    for (const QWidget* w : window.findChildren<const QWidget*>()) {
-        if (!w->isVisible() || w->window() != &window) continue;
-        if (const auto* label = qobject_cast<const QLabel*>(w))
-            look_at_label(*label, found);
-        else if (const auto* button = qobject_cast<const QAbstractButton*>(w))
-            look_at_button(*button, found);
-        else if (const auto* tabs = qobject_cast<const QTabBar*>(w))
-            look_at_tabs(*tabs, found);
-        else if (const auto* heads = qobject_cast<const QHeaderView*>(w))
-            look_at_heads(*heads, found);
-        else if (const auto* menus = qobject_cast<const QMenuBar*>(w))
-            look_at_menus(*menus, found);
-        else if (const auto* group = qobject_cast<const QGroupBox*>(w);
-                 group && group->fontMetrics().horizontalAdvance(group->title()) > group->width())
-            found << cut(*group, group->title(), group->width(),
-                         group->fontMetrics().horizontalAdvance(group->title()));
-    }
+    for (const QWidget* w : window.findChildren<const QWidget*>())
+        if (w->isVisible() && w->window() == &window && !w->visibleRegion().isEmpty()) found << look_at(*w);
     found.removeDuplicates();
     return found;
 }

@@ -1,15 +1,14 @@
-// Texts of a window that have not the room they need: words that are cut at a widget's edge.
+// Words that cannot be read as they stand: what any page of the window is asked.
 #pragma once
 
 #include <QStringList>
-
-class QWidget;
+#include <QWidget>
 
 namespace facetmill::test {
 
-/// One line for each label, button, check box, tab, title or head of a table that is shown cut: what it is,
-/// what it says, and what room it has and needs, in pixels. Names that end in dots on purpose (ElidedLabel,
-/// combo boxes) are not meant, nor is what lies outside of a scroll area's view.
+/// Texts of a window's visible widgets that need more room than they have, or lie beyond the edge of what
+/// they stand in, each with its place and the pixels; empty when all can be read. Texts that shorten
+/// themselves are right where a tool tip has the whole.
 QStringList cut_texts(const QWidget& window);
 
 } // namespace facetmill::test

@@ -3,12 +3,15 @@
 #include "ui/parameter_form.h"
 #include "ui/text.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -130,6 +133,24 @@ struct Bench {
 class TestParameterForm : public QObject {
     Q_OBJECT
 private slots:
+    /// The help of a parameter is made when it is asked for, and screen readers have it, too.
+    void help_comes_where_the_pointer_rests() {
+        Bench bench;
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.form));
+        const auto rest_on = [&](QWidget* at) {
+            QHelpEvent event(QEvent::ToolTip, QPoint(3, 3), at->mapToGlobal(QPoint(3, 3)));
+            QApplication::sendEvent(at, &event);
+            return QToolTip::text();
+        };
+        for (const auto& [name, help] : {std::pair("tilt", "An angle."), std::pair("length", "A length.")}) {
+            QToolTip::hideText();
+            QVERIFY(rest_on(bench.line(name)).contains(QLatin1String(help)));
+            const auto* editor = qobject_cast<QWidget*>(bench.line(name)->parent());
+            QCOMPARE(editor->accessibleDescription(), QLatin1String(help));
+        }
+        QToolTip::hideText();
+    }
+
     void every_kind_has_an_editor() {
         Bench b;
         QVERIFY(QTest::qWaitForWindowExposed(&b.form));

@@ -1,130 +1,92 @@
-// Nothing is cut off: on no page, in neither palette, in a small window and in the usual one.
+// Nothing is cut off and nothing is in another language: on no page and in no dialog, in neither palette, in
+// a small window and in the usual one, in all languages and in one whose texts are 40 % longer.
+#include "tests/screenshot/cut_texts.h"
+#include "tests/screenshot/long_texts.h"
+#include "tests/screenshot/shown_texts.h"
 #include "tests/screenshot/window_tour.h"
 #include "ui/elided_label.h"
+#include "ui/language.h"
 #include "ui/properties_panel.h"
 #include "ui/viewport.h"
+#include "ui/whole_text.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
-#include <QDockWidget>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QSettings>
 #include <QTest>
-#include <QTextDocument>
-#include <QToolButton>
+#include <QTreeWidget>
 
 using namespace facetmill;
 using namespace facetmill::test;
 
-namespace {
-
-QString named(const QWidget& w, const QString& text) {
-    return QStringLiteral("%1 '%2' in %3")
-        .arg(w.objectName(), text.left(60), w.parentWidget() ? w.parentWidget()->objectName() : QString());
-}
-
-/// What a label's words need; nothing for those that shorten themselves.
-std::optional<QSize> needed(const QLabel& label) {
-    if (label.text().isEmpty() || !label.pixmap().isNull()) return std::nullopt;
-    if (qobject_cast<const ui::ElidedLabel*>(&label)) return std::nullopt;
-    if (label.wordWrap()) return QSize(0, label.heightForWidth(label.width()));
-    return label.sizeHint();
-}
-
-/// Why the words of a widget cannot be read; empty where they can.
-QString cut(const QWidget& w) {
-    QString text;
-    QSize need;
-    if (const auto* label = qobject_cast<const QLabel*>(&w)) {
-        text = label->text();
-        if (const auto* elided = qobject_cast<const ui::ElidedLabel*>(label);
-            elided && elided->fontMetrics().horizontalAdvance(text) > elided->width()
-            && !elided->toolTip().contains(text))
-            return QStringLiteral("shortened without a tool tip: ") + named(w, text);
-        const auto size = needed(*label);
-        if (!size) return {};
-        need = *size;
-    } else if (const auto* button = qobject_cast<const QAbstractButton*>(&w)) {
-        text = button->text();
-        const auto* tool = qobject_cast<const QToolButton*>(button);
-        if (text.isEmpty() || (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly)) return {};
-        // Frames may be narrower than a style would like; words may not.
-        const int icon = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
-        need = QSize(button->fontMetrics().size(Qt::TextShowMnemonic, text).width() + icon, 0);
-        if (!qobject_cast<const QPushButton*>(button) && !tool) need.setWidth(button->sizeHint().width());
-    } else
-        return {};
-    if (need.width() > w.width() + 1 || need.height() > w.height() + 1)
-        return QStringLiteral("%1 needs %2 x %3, has %4 x %5")
-            .arg(named(w, text))
-            .arg(need.width())
-            .arg(need.height())
-            .arg(w.width())
-            .arg(w.height());
-    // Not beyond the edge of what it stands in, to the right or left: there is nothing to scroll to.
-    const QRect seen = w.visibleRegion().boundingRect();
-    if (need.width() > 0 && !seen.isEmpty() && seen.width() < std::min(need.width(), w.width()) - 1)
-        return QStringLiteral("%1 is seen for %2 of %3").arg(named(w, text)).arg(seen.width()).arg(w.width());
-    return {};
-}
-
-QStringList cut_words(QWidget& top, const QString& page) {
-    QStringList found;
-    for (const QWidget* w : top.findChildren<QWidget*>())
-        if (w->isVisible() && w->window() == &top && !w->visibleRegion().isEmpty())
-            if (const QString why = cut(*w); !why.isEmpty()) found << page + QStringLiteral(": ") + why;
-    return found;
-}
-
-} // namespace
-
 class TestWindowLayout : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
-    void init() {
-        QSettings().clear();
-        QVERIFY(show_window());
-    }
+    void init() { QSettings().clear(); }
     void cleanup() {
-        w().set_theme(ui::Theme::system);
+        if (window_) w().set_theme(ui::Theme::system);
         close_window();
+        ui::speak(QStringLiteral("en"));
     }
     void cleanupTestCase() { QSettings().clear(); }
 
-    void nothing_is_cut_data() {
+    void all_can_be_read_data() {
+        QTest::addColumn<QString>("language");
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("dark");
-        QTest::newRow("800x600") << QSize(800, 600) << false;
-        QTest::newRow("800x600-dark") << QSize(800, 600) << true;
-        QTest::newRow("1280x800") << QSize(1280, 800) << false;
+        QTest::newRow("long-800x600") << QStringLiteral("long") << QSize(800, 600) << false;
+        QTest::newRow("de-800x600-dark") << QStringLiteral("de") << QSize(800, 600) << true;
+        QTest::newRow("fr-800x600") << QStringLiteral("fr") << QSize(800, 600) << false;
+        QTest::newRow("long-1280x800") << QStringLiteral("long") << QSize(1280, 800) << false;
     }
-    void nothing_is_cut() {
+    void all_can_be_read() {
+        QFETCH(QString, language);
         QFETCH(QSize, size);
         QFETCH(bool, dark);
+        const bool made_up = language == QLatin1String("long");
+        if (made_up)
+            ui::speak_by(std::make_unique<LongTexts>(), QLocale::c());
+        else
+            ui::speak(language);
+        const EnglishTexts english(language);
+        QCOMPARE(english.known(), !made_up);
+        QVERIFY(show_window());
         w().resize(size);
         w().set_theme(dark ? ui::Theme::dark : ui::Theme::light);
         action(w(), "first_steps")->trigger();
         QTest::qWait(30);
-        QStringList found = found_at_rest([&] { return cut_words(w(), QStringLiteral("start")); });
         const QString tag = QString::fromLatin1(QTest::currentDataTag());
-        shot(w(), QStringLiteral("layout-%1-start").arg(tag));
-        QVERIFY(open_and_plan());
-        const int form = w().properties().width();
+        QStringList found;
+        QHash<QString, QString> texts; // and where they were seen first
         int pages = 0;
         const auto look = [&](QWidget& top, const QString& page) {
             ++pages;
-            found << found_at_rest([&] { return cut_words(top, page); });
+            for (const QString& line : found_at_rest([&] { return cut_texts(top); }))
+                found << page + QStringLiteral(": ") + line;
+            if (!made_up)
+                for (const QString& text : shown_texts(top))
+                    if (!texts.contains(text)) texts.insert(text, page);
             if (!qEnvironmentVariableIsEmpty("FACETMILL_LAYOUT_PICTURES"))
-                shot(top,
-                     QStringLiteral("layout-%1-%2").arg(tag, QString(page).replace(QChar('/'), QChar('-'))));
+                shot(top, QStringLiteral("layout-%1-%2-%3")
+                              .arg(tag)
+                              .arg(pages, 3, 10, QChar('0'))
+                              .arg(QString(page).replace(QChar('/'), QChar('-'))));
         };
+        look(w(), QStringLiteral("start"));
+        QVERIFY(open_and_plan());
+        const int form = w().properties().width();
         tour_window(w(), look);
         tour_dialogs(w(), look);
         QVERIFY2(pages > 40, qPrintable(QString::number(pages)));
+        for (auto it = texts.cbegin(); it != texts.cend(); ++it)
+            if (const QString why = english.in(it.key()); !why.isEmpty())
+                found << it.value() + QStringLiteral(": ") + why;
         found.removeDuplicates();
+        found.sort();
         for (const QString& each : found)
             qWarning().noquote() << each;
         QVERIFY(found.isEmpty());
@@ -140,7 +102,7 @@ private slots:
     void a_cut_word_is_found() {
         QWidget top;
         top.setObjectName(QStringLiteral("top"));
-        top.resize(200, 100);
+        top.resize(200, 220);
         auto* label = new QLabel(QStringLiteral("Words that need more room than they have"), &top);
         label->setGeometry(0, 0, 60, 20);
         auto* button = new QPushButton(QStringLiteral("Quite a long button"), &top);
@@ -149,9 +111,64 @@ private slots:
         edge->setGeometry(150, 60, edge->sizeHint().width(), 24);
         auto* good = new QLabel(QStringLiteral("Short"), &top);
         good->setGeometry(0, 60, 80, 20);
+        auto* choice = new QComboBox(&top);
+        choice->addItem(QStringLiteral("A choice of many letters"));
+        choice->setGeometry(0, 90, 60, 24);
+        auto* tree = new QTreeWidget(&top);
+        tree->setGeometry(0, 120, 80, 90);
+        tree->setHeaderHidden(true);
+        new QTreeWidgetItem(tree, {QStringLiteral("A line of quite a few words")});
+        auto* told = new QTreeWidgetItem(tree, {QStringLiteral("Another one, with a tool tip")});
+        told->setToolTip(0, told->text(0));
+        auto* elided = new ui::ElidedLabel(&top);
+        elided->set_text(QStringLiteral("One that shortens itself"));
+        elided->setGeometry(90, 120, 40, 20);
         top.show();
         QVERIFY(QTest::qWaitForWindowExposed(&top));
-        QCOMPARE(cut_words(top, QString()).size(), 3);
+        const QStringList found = cut_texts(top);
+        QVERIFY2(found.size() == 4, qPrintable(found.join(QChar('\n'))));
+        QCOMPARE(ui::shortened_text(*choice), choice->currentText());
+        elided->setToolTip(QString());
+        QCOMPARE(cut_texts(top).size(), 5);
+    }
+
+    /// A number in a narrow field ends with a mark, unless it is written in, and the pointer is told it
+    /// whole.
+    void a_number_in_a_narrow_field() {
+        QWidget top;
+        top.resize(200, 60);
+        auto* line = new QLineEdit(QStringLiteral("-1.12454321"), &top);
+        line->setGeometry(0, 0, 50, 26);
+        auto* other = new QLineEdit(&top);
+        other->setGeometry(100, 0, 50, 26);
+        top.show();
+        QVERIFY(activate(top));
+        other->setFocus();
+        QTest::qWait(20);
+        const QImage shortened = line->grab().toImage();
+        line->setText(QStringLiteral("-1.1245987"));
+        QTest::qWait(20);
+        QCOMPARE(line->grab().toImage(), shortened); // both end alike
+        QVERIFY(cut_texts(top).isEmpty());
+        QVERIFY(ui::with_whole_text(*line, QStringLiteral("Help")).contains(line->text()));
+        line->setFocus();
+        line->deselect();
+        line->home(false);
+        QTest::qWait(20);
+        QVERIFY(line->grab().toImage() != shortened);
+        line->resize(120, 26);
+        QVERIFY(ui::shortened_text(*line).isEmpty());
+    }
+
+    /// A text in another language is seen: the test itself.
+    void an_english_word_is_found() {
+        const EnglishTexts german(QStringLiteral("de"));
+        QVERIFY(german.known());
+        QVERIFY(!german.in(QStringLiteral("&Preferences…")).isEmpty());
+        QVERIFY(!german.in(QStringLiteral("the diameter 3 is not above 0")).isEmpty());
+        QVERIFY(!german.in(QStringLiteral("0.5 mm")).isEmpty());
+        for (const char* good : {"0,5 mm", "Werkzeug", "part2.5.stl", "G54.1 P1", "Ball 6"})
+            QVERIFY2(german.in(QString::fromUtf8(good)).isEmpty(), good);
     }
 };
 

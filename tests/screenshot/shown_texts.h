@@ -1,0 +1,35 @@
+// What can be read on a page, and what of it is not in the window's language.
+#pragma once
+
+#include <QHash>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+namespace facetmill::test {
+
+/// All that a window's visible widgets say: labels, buttons, fields, tabs, heads, lines of lists and trees,
+/// reports, tool tips. What is painted is not among it.
+QStringList shown_texts(const QWidget& window);
+
+/// Knows English texts where another language is spoken, by that language's file.
+class EnglishTexts {
+public:
+    /// "de".
+    explicit EnglishTexts(const QString& language);
+    bool known() const { return !plain_.isEmpty(); }
+    /// Why a text is not in the language: the English text that it is, or a decimal point; empty where it may
+    /// be.
+    QString in(const QString& shown) const;
+
+private:
+    struct Template {
+        QStringList between; ///< what stands before, between and behind the places
+        QString longest;     ///< of these
+    };
+    bool is_of(const QString& shown, const Template& one) const;
+    QHash<QString, bool> plain_, translated_;
+    QList<Template> templates_;
+};
+
+} // namespace facetmill::test
