@@ -1,5 +1,5 @@
 # Languages of the workbench: resources/languages/*.ts are compiled, with Qt's own words beside them, into fm_ui as :/languages.
-# packaging/translations keeps the files up to date with the sources.
+# That of English has its plural forms. packaging/translations keeps the files up to date with the sources.
 find_program(FACETMILL_LRELEASE lrelease PATHS /usr/lib/qt6/bin)
 find_file(FACETMILL_QT_WORDS qtbase_de.qm PATHS /usr/share/qt6/translations ${Qt6_DIR}/../../../translations NO_DEFAULT_PATH)
 set(languages_source ${PROJECT_SOURCE_DIR}/resources/languages)
@@ -7,7 +7,7 @@ set(languages_build ${PROJECT_BINARY_DIR}/languages)
 set(languages_qrc "<RCC><qresource prefix=\"/languages\">\n<file alias=\"messages.txt\">${languages_source}/messages.txt</file>\n")
 set(languages_files ${languages_source}/messages.txt)
 if(FACETMILL_LRELEASE)
-    foreach(language IN ITEMS de fr)
+    foreach(language IN ITEMS de en fr)
         set(compiled ${languages_build}/facetmill_${language}.qm)
         add_custom_command(OUTPUT ${compiled} VERBATIM DEPENDS ${languages_source}/facetmill_${language}.ts
             COMMAND ${FACETMILL_LRELEASE} -silent ${languages_source}/facetmill_${language}.ts -qm ${compiled})

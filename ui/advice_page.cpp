@@ -97,7 +97,7 @@ bool AdvicePage::over_lead() const {
 }
 
 QString AdvicePage::estimate_text(const StrategyEstimate& e) const {
-    const QString regions = e.regions == 1 ? tr("1 region") : tr("%1 regions").arg(count_text(e.regions));
+    const QString regions = tr("%1 regions", nullptr, int(e.regions)).arg(count_text(e.regions));
     return tr("main %1 + rework %2 = %3; %4, %5 % of the surface")
         .arg(duration_text(e.main_seconds), duration_text(e.rework_seconds), duration_text(e.seconds()),
              regions, number_text(100 * e.rework_share, 2));

@@ -10,8 +10,24 @@ namespace facetmill::ui {
 
 namespace {
 
-/// Names that boundaries begin with, by their kind.
-constexpr std::array<const char*, 6> first_names{"Painted", "Slope", "Curve", "Silhouette", "Rest", "Faces"};
+/// What boundaries of a kind are called at first.
+std::string first_name(Boundary::Kind kind) {
+    switch (kind) {
+    case Boundary::Kind::facets:
+        return utf8(Document::tr("Painted"));
+    case Boundary::Kind::slope:
+        return utf8(Document::tr("Slope"));
+    case Boundary::Kind::curve:
+        return utf8(Document::tr("Curve"));
+    case Boundary::Kind::silhouette:
+        return utf8(Document::tr("Silhouette"));
+    case Boundary::Kind::rest:
+        return utf8(Document::tr("Rest"));
+    case Boundary::Kind::faces:
+        break;
+    }
+    return utf8(Document::tr("Faces"));
+}
 
 std::string free_boundary_name(const Project& project, const std::string& wish) {
     return free_name(wish, [&](const std::string& name) {
@@ -46,7 +62,7 @@ std::size_t add_boundary(Document& document, Boundary::Kind kind) {
     if (!document.part_is_current()) return at;
     Boundary made;
     made.kind = kind;
-    made.name = free_boundary_name(document.project(), first_names[std::size_t(kind)]);
+    made.name = free_boundary_name(document.project(), first_name(kind));
     complete(made, *document.part(), document.project());
     document.change(Document::tr("Add boundary"), [&](Project& p) { p.boundaries.push_back(made); });
     return at;
@@ -124,7 +140,8 @@ void set_boundary_curve(Document& document, std::size_t i, const std::vector<Cur
 
 QString boundary_extent(const Boundary& boundary) {
     if (boundary.kind == Boundary::Kind::curve)
-        return Document::tr("%1 corners").arg(count_text(boundary.curve.size()));
+        return Document::tr("%1 corners", nullptr, int(boundary.curve.size()))
+            .arg(count_text(boundary.curve.size()));
     if (boundary.kind == Boundary::Kind::faces)
         return boundary.faces.empty() ? Document::tr("no faces yet")
                                       : Document::tr("faces %1").arg(text(boundary.faces));

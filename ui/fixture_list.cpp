@@ -2,6 +2,14 @@
 
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
+#include "ui/text.h"
+#include "ui/worded.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <set>
+#include <string>
 
 namespace facetmill::ui {
 
@@ -11,10 +19,22 @@ std::size_t add_fixture(Document& document, NewFixture what) {
     if (!document.part_is_current()) return at;
     const StockSolid stock = stock_solid(project.stock, *document.part());
     const Box3& box = stock.box.empty() ? document.part()->box : stock.box;
-    const std::vector<Fixture> made = new_fixtures(project, what, *document.part()->mesh, box);
+    std::vector<Fixture> made = new_fixtures(project, what, *document.part()->mesh, box);
     if (made.empty())
         throw Error(ErrorCode::empty_result, "tabs", "nowhere is the part's outline straight and free enough",
                     "add a box, choose the kind \"tab\" and move it to its place");
+    // Core says in English what they are, and numbers them: "Clamp 2".
+    std::set<std::string> taken;
+    for (Fixture& f : made) {
+        static const QRegularExpression number(QStringLiteral(" \\d+$"));
+        const std::string wish = utf8(worded(text(f.name).remove(number)));
+        f.name = free_name(wish, [&](const std::string& name) {
+            return taken.contains(name)
+                   || std::any_of(project.fixtures.begin(), project.fixtures.end(),
+                                  [&](const Fixture& other) { return other.name == name; });
+        });
+        taken.insert(f.name);
+    }
     document.change(Document::tr("Add fixture"),
                     [&](Project& p) { p.fixtures.insert(p.fixtures.end(), made.begin(), made.end()); });
     return at;

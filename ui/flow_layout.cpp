@@ -49,7 +49,8 @@ int FlowLayout::arrange(const QRect& rect, bool place) const {
     const QRect inner = rect.marginsRemoved(m);
     int x = inner.x(), y = inner.y(), line = 0;
     for (QLayoutItem* item : items_) {
-        const QSize size = item->sizeHint();
+        QSize size = item->sizeHint(); // or what the line has, where the item does with that
+        size.setWidth(std::min(size.width(), std::max(inner.width(), item->minimumSize().width())));
         if (x > inner.x() && x + size.width() > inner.right() + 1) {
             x = inner.x();
             y += line + 2;

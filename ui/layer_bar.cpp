@@ -175,6 +175,8 @@ void LayerBar::add_colours() {
     quantity_->setObjectName(QStringLiteral("path_quantity"));
     quantity_->setToolTip(tr("What the colours of the path mean; their scale stands in the view"));
     quantity_->setFocusPolicy(Qt::TabFocus);
+    quantity_->setMinimumContentsLength(8);
+    quantity_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (std::size_t q = 0; q < path_quantities; ++q)
         quantity_->addItem(ui::worded(path_quantity_label(PathQuantity(q))));
     label_ = new QLabel(tr("Path by"), colours_);

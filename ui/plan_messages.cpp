@@ -18,7 +18,8 @@ QString tr(const char* text) {
 
 void tell_program(Messages& messages, const OperationResult& program, LengthUnit unit) {
     const QString name = text(program.name);
-    messages.information(tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.")
+    messages.information(QObject::tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.",
+                                     nullptr, program.path.drive_planes)
                              .arg(name, duration_text(program.seconds_planning),
                                   count_text(std::size_t(program.path.drive_planes)),
                                   shown_length(program.totals.cut_length, unit, 5),

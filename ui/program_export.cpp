@@ -118,7 +118,7 @@ void ProgramExport::save_programs(const QString& folder, std::optional<std::size
             for (const auto& path : *written)
                 messages_.information(tr("Wrote %1.").arg(path_text(path)), false);
             if (written->empty()) return;
-            const QString wrote = tr("Wrote %n file(s) into %1.", nullptr, int(written->size()))
+            const QString wrote = tr("Wrote %n files into %1.", nullptr, int(written->size()))
                                       .arg(path_text(written->front().parent_path()));
             // A wrong path is worse than none: it does not leave without a word.
             if (doubt.isEmpty())

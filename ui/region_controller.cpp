@@ -1,11 +1,13 @@
 #include "ui/region_controller.h"
 
 #include "core/strategy/global_local/rework_plan.h"
+#include "ui/language.h"
 #include "ui/parameter_form.h"
 #include "ui/properties_panel.h"
 #include "ui/region_dialog.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
+#include "ui/worded.h"
 
 #include <QScreen>
 
@@ -69,8 +71,8 @@ void place_beside_view(QWidget& dialog) {
 QString regions_text(const ReworkRegions& r, const OperationResult* planned) {
     const auto off = std::count_if(r.regions.begin(), r.regions.end(),
                                    [](const ReworkRegion& region) { return !region.strip.enabled; });
-    QString status = r.regions.size() == 1 ? RegionController::tr("1 region")
-                                           : RegionController::tr("%1 regions").arg(r.regions.size());
+    QString status =
+        RegionController::tr("%1 regions", nullptr, int(r.regions.size())).arg(count_text(r.regions.size()));
     if (off > 0) status += RegionController::tr(", %1 switched off").arg(off);
     const double percent = r.part_area > 0 ? 100 * r.area / r.part_area : 0;
     status += RegionController::tr("; rework covers %1 of the surface")
@@ -85,7 +87,7 @@ QString regions_text(const ReworkRegions& r, const OperationResult* planned) {
     return RegionController::tr("Before planning: %1. As planned, where the paths were looked at: %2, %3 %")
         .arg(status)
         .arg(p.regions.size())
-        .arg(text(format_number(p.part_area > 0 ? 100 * p.area / p.part_area : 0, 2)));
+        .arg(number_text(p.part_area > 0 ? 100 * p.area / p.part_area : 0, 2));
 }
 
 } // namespace
@@ -266,9 +268,10 @@ void RegionController::commit() {
     if (std::all_of(values.begin(), values.end(),
                     [&](const auto& v) { return now.get(v.first) == v.second; }))
         return refresh();
-    const QString what = values.size() == 1
-                             ? tr("Edit %1").arg(text(now.parameter(values.begin()->first).label))
-                             : tr("Edit region settings");
+    const QString what =
+        values.size() == 1
+            ? tr("Edit %1").arg(in_a_sentence(worded(now.parameter(values.begin()->first).label)))
+            : tr("Edit region settings");
     document_.change(what, [&](Project& p) {
         for (const auto& [key, value] : values)
             p.operations.at(*i)->set(key, value);

@@ -14,9 +14,8 @@ RepairButton::RepairButton(const Document& document, QWidget* parent)
 void RepairButton::show_part(bool shown) {
     setVisible(shown);
     const std::size_t steps = document_.project().part.repair.size();
-    setText(steps == 0   ? tr("Scan room…")
-            : steps == 1 ? tr("Scan room: 1 step…")
-                         : tr("Scan room: %1 steps…").arg(count_text(steps)));
+    setText(steps == 0 ? tr("Scan room…")
+                       : tr("Scan room: %1 steps…", nullptr, int(steps)).arg(count_text(steps)));
 }
 
 } // namespace facetmill::ui

@@ -251,7 +251,7 @@ QString ReportView::operation_html(std::size_t i) const {
     for (const auto& program : result->further) {
         facts.add(tr("of it the main path"), duration_text(result->totals.time_seconds));
         facts.add(tr("T%1 in regions").arg(program->program.tool_number),
-                  tr("%1, %2 passes")
+                  tr("%1, %2 passes", nullptr, std::max(0, program->path.drive_planes))
                       .arg(duration_text(program->totals.time_seconds),
                            count_text(std::size_t(std::max(0, program->path.drive_planes)))));
     }

@@ -114,7 +114,7 @@ void RoughController::refresh() {
     const StrategyResult& path = result->path;
     const std::vector<double>& layers = path.as<RoughPath>()->layers;
     const auto [least, most] = depths(layers);
-    QString all = layers.size() == 1 ? tr("1 layer") : tr("%1 layers").arg(layers.size());
+    QString all = tr("%1 layers", nullptr, int(layers.size())).arg(count_text(layers.size()));
     if (most > 0) all += tr(", %1 deep").arg(range_text(least, most, unit));
     all += tr("; at most %1 stays above the allowance").arg(shown_length(path.cusp_max, unit, 3));
     take(layers, document_.part()->box, all);
@@ -143,8 +143,8 @@ void RoughController::start_preview(std::size_t i) {
             const LengthUnit unit = document_.unit();
             QString all = *wrong;
             if (wrong->isEmpty()) {
-                all = preview->heights.size() == 1 ? tr("Preview: 1 layer")
-                                                   : tr("Preview: %1 layers").arg(preview->heights.size());
+                all = tr("Preview: %1 layers", nullptr, int(preview->heights.size()))
+                          .arg(count_text(preview->heights.size()));
                 all += tr(", %1 deep; at most %2 would stay above the allowance")
                            .arg(range_text(preview->depth_min, preview->depth_max, unit),
                                 shown_length(preview->remaining, unit, 3));

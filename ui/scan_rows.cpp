@@ -25,7 +25,12 @@ ScanPanel::Line hole_row(const QString& what, const QString& after) {
 }
 
 ScanPanel::Line rest_row(std::size_t left_out) {
-    return {ScanPanel::tr("%1 smaller ones").arg(count_text(left_out)), {}, {}, {}, false, {}};
+    return {ScanPanel::tr("%1 smaller ones", nullptr, int(left_out)).arg(count_text(left_out)),
+            {},
+            {},
+            {},
+            false,
+            {}};
 }
 
 std::vector<char> all_that_go(const Shells& shells, const std::vector<RepairStep>& recipe) {

@@ -112,7 +112,7 @@ QString count_text(std::size_t n) {
 }
 
 QString duration_text(double seconds) {
-    return worded(facetmill::duration_text(seconds));
+    return in_user_numbers(worded(facetmill::duration_text(seconds)));
 }
 
 QString percent_text(double share) {

@@ -252,9 +252,8 @@ QString failure_text(const VerificationOutcome& outcome, LengthUnit unit) {
         parts << VerificationModel::tr("gouges up to %1")
                      .arg(shown_length(std::max(v.figures.gouge_max, v.border.gouge_max), unit, 3));
     if (!v.collisions.empty())
-        parts << (v.collisions.size() == 1
-                      ? VerificationModel::tr("1 collision")
-                      : VerificationModel::tr("%1 collisions").arg(count_text(v.collisions.size())));
+        parts << VerificationModel::tr("%1 collisions", nullptr, int(v.collisions.size()))
+                     .arg(count_text(v.collisions.size()));
     if (v.left_uncut()) parts << uncut_text(v);
     return parts.join(QStringLiteral(", "));
 }
@@ -293,8 +292,7 @@ QString VerificationModel::why(std::size_t operation) const {
     }
     QStringList parts;
     if (gouges > 0) parts << tr("gouges up to %1").arg(shown_length(deepest, document_.unit(), 3));
-    if (collisions > 0)
-        parts << (collisions == 1 ? tr("1 collision") : tr("%1 collisions").arg(count_text(collisions)));
+    if (collisions > 0) parts << tr("%1 collisions", nullptr, int(collisions)).arg(count_text(collisions));
     if (verification().left_uncut()) parts << uncut_text(verification());
     if (parts.isEmpty())
         return tr("Failed verification: the part is gouged at more places than are listed, "

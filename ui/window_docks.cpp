@@ -17,7 +17,7 @@ namespace facetmill::ui {
 namespace {
 
 /// Width of those on the left: a form of lengths with their units.
-constexpr int left_width = 300;
+constexpr int left_width = 312;
 /// Width of the docks on the right at which their tabs can be read whole.
 constexpr int right_width = 306;
 /// A window below this width has no room for docks on both sides.

@@ -8,22 +8,6 @@
         <translation> (etwa {1} insgesamt)</translation>
     </message>
     <message>
-        <source> and a stick-out of {1} below the holder instead of {2}</source>
-        <translation> und eine Auskraglänge von {1} unter dem Halter statt {2}</translation>
-    </message>
-    <message>
-        <source> and {1} more</source>
-        <translation> und {1} weitere</translation>
-    </message>
-    <message>
-        <source> and {1} of the surface stays uncut by up to {2}, most at {3}</source>
-        <translation> und {1} der Fläche bleiben um bis zu {2} stehen, am meisten bei {3}</translation>
-    </message>
-    <message>
-        <source> and {1} to avoid</source>
-        <translation> und {1} zu meiden</translation>
-    </message>
-    <message>
         <source> but {1}</source>
         <translation> sondern {1}</translation>
     </message>
@@ -44,16 +28,8 @@
         <translation> von '{1}'</translation>
     </message>
     <message>
-        <source> or {1}</source>
-        <translation> oder {1}</translation>
-    </message>
-    <message>
-        <source> · no tool yet</source>
-        <translation> · noch kein Werkzeug</translation>
-    </message>
-    <message>
-        <source> · tool {1}</source>
-        <translation> · Werkzeug {1}</translation>
+        <source> or "{1}"</source>
+        <translation> oder "{1}"</translation>
     </message>
     <message>
         <source>'solid' expected</source>
@@ -64,12 +40,28 @@
         <translation>'{1}' beginnt im Teil.</translation>
     </message>
     <message>
+        <source>'{1}' cannot be read</source>
+        <translation>'{1}' kann nicht gelesen werden</translation>
+    </message>
+    <message>
         <source>'{1}' cannot change tools, and the operations have several</source>
         <translation>'{1}' kann keine Werkzeuge wechseln, und die Operationen haben mehrere</translation>
     </message>
     <message>
+        <source>'{1}' defines geometry or a variable</source>
+        <translation>'{1}' definiert Geometrie oder eine Variable</translation>
+    </message>
+    <message>
         <source>'{1}' has a comma</source>
         <translation>'{1}' hat ein Komma</translation>
+    </message>
+    <message>
+        <source>'{1}' has no decimal point, and the control would count its last digits</source>
+        <translation>'{1}' hat keinen Dezimalpunkt, und die Steuerung würde die letzten Stellen zählen</translation>
+    </message>
+    <message>
+        <source>'{1}' has two meanings</source>
+        <translation>'{1}' hat zwei Bedeutungen</translation>
     </message>
     <message>
         <source>'{1}' is a length, the field has none</source>
@@ -80,12 +72,20 @@
         <translation>'{1}' ist übrig</translation>
     </message>
     <message>
+        <source>'{1}' is no code of this control</source>
+        <translation>'{1}' ist kein Code dieser Steuerung</translation>
+    </message>
+    <message>
         <source>'{1}' is no format of a tool library</source>
         <translation>'{1}' ist kein Format einer Werkzeugbibliothek</translation>
     </message>
     <message>
         <source>'{1}' is no letter and number</source>
         <translation>'{1}' ist nicht Buchstabe und Zahl</translation>
+    </message>
+    <message>
+        <source>'{1}' is no meaning of a code</source>
+        <translation>'{1}' ist keine Bedeutung eines Codes</translation>
     </message>
     <message>
         <source>'{1}' is no name</source>
@@ -104,6 +104,18 @@
         <translation>'{1}' ist keine Einheit, die dieses Feld haben kann</translation>
     </message>
     <message>
+        <source>'{1}' is no word</source>
+        <translation>'{1}' ist kein Wort</translation>
+    </message>
+    <message>
+        <source>'{1}' is no word of this control</source>
+        <translation>'{1}' ist kein Wort dieser Steuerung</translation>
+    </message>
+    <message>
+        <source>'{1}' is no word, or has a meaning</source>
+        <translation>'{1}' ist kein Wort oder hat eine Bedeutung</translation>
+    </message>
+    <message>
         <source>'{1}' is not a finite number</source>
         <translation>'{1}' ist keine endliche Zahl</translation>
     </message>
@@ -112,8 +124,20 @@
         <translation>'{1}' ist keine Zahl</translation>
     </message>
     <message>
+        <source>'{1}' is not a statement</source>
+        <translation>'{1}' ist keine Anweisung</translation>
+    </message>
+    <message>
+        <source>'{1}' is not a tool number</source>
+        <translation>'{1}' ist keine Werkzeugnummer</translation>
+    </message>
+    <message>
         <source>'{1}' is not in the packed file</source>
         <translation>'{1}' ist nicht in der gepackten Datei</translation>
+    </message>
+    <message>
+        <source>'{1}' is not known</source>
+        <translation>'{1}' ist nicht bekannt</translation>
     </message>
     <message>
         <source>'{1}' is out of place</source>
@@ -132,8 +156,16 @@
         <translation>'{1}' nennt kein Werkzeug (LOADTL): sein Fräser ist der von Werkzeug {2}, also wurden dessen Schaft und Halter beurteilt.</translation>
     </message>
     <message>
+        <source>'{1}' occurs twice</source>
+        <translation>'{1}' kommt zweimal vor</translation>
+    </message>
+    <message>
         <source>'{1}' stands behind what has a unit already</source>
         <translation>'{1}' steht hinter etwas, das schon eine Einheit hat</translation>
+    </message>
+    <message>
+        <source>'{1}' stands where values should</source>
+        <translation>'{1}' steht, wo Werte stehen sollten</translation>
     </message>
     <message>
         <source>'{1}' was bounded by '{2}', which this setup does not have: it cuts everywhere now</source>
@@ -168,24 +200,12 @@
         <translation>'{1}': {2} von {3} Bewegungen im Vorschub liegen außerhalb des Rohteils.</translation>
     </message>
     <message>
+        <source>'{1}=' is no word of this control</source>
+        <translation>'{1}=' ist kein Wort dieser Steuerung</translation>
+    </message>
+    <message>
         <source>, as at {1}, {2}, {3}</source>
         <translation>, etwa bei {1}, {2}, {3}</translation>
-    </message>
-    <message>
-        <source>, limit {1}</source>
-        <translation>, Grenze {1}</translation>
-    </message>
-    <message>
-        <source>, operation {1}</source>
-        <translation>, Operation {1}</translation>
-    </message>
-    <message>
-        <source>, pass {1}</source>
-        <translation>, Bahn {1}</translation>
-    </message>
-    <message>
-        <source>, tool {1}</source>
-        <translation>, Werkzeug {1}</translation>
     </message>
     <message>
         <source>0 for a sharp corner; half the diameter for a ball end.</source>
@@ -196,40 +216,16 @@
         <translation>0 oder mehr und unter 90°</translation>
     </message>
     <message>
+        <source>1 collision, the deepest {1}</source>
+        <translation>1 Kollision, die tiefste {1}</translation>
+    </message>
+    <message>
         <source>: it is no text</source>
         <translation>: es ist kein Text</translation>
     </message>
     <message>
-        <source>; and {1} more</source>
-        <translation>; und {1} weitere</translation>
-    </message>
-    <message>
-        <source>; from setup '{1}': </source>
-        <translation>; von Aufspannung '{1}': </translation>
-    </message>
-    <message>
         <source>; more points are put in where it turns more</source>
         <translation>; wo sie sich stärker dreht, kommen Punkte hinzu</translation>
-    </message>
-    <message>
-        <source>; the tolerance allows </source>
-        <translation>; die Toleranz erlaubt </translation>
-    </message>
-    <message>
-        <source>; {1} collision, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>; {1} Kollision, die tiefste {2} im Eilgang{3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collision, the deepest {2} by the {3} ({4})</source>
-        <translation>; {1} Kollision, die tiefste {2} durch {3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collisions, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>; {1} Kollisionen, die tiefste {2} im Eilgang{3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collisions, the deepest {2} by the {3} ({4})</source>
-        <translation>; {1} Kollisionen, die tiefste {2} durch {3} ({4})</translation>
     </message>
     <message>
         <source>A car body with four steep concave scoops, 12 × 6 in.</source>
@@ -274,6 +270,10 @@
     <message>
         <source>A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.</source>
         <translation>Ein quadratisches Prisma, Seite 45 mm, 60 mm lang, mit einer Vierteldrehung um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>A turns about X, B about Y, C about Z: mend the name or the direction</source>
+        <translation>A dreht um X, B um Y, C um Z: den Namen oder die Richtung berichtigen</translation>
     </message>
     <message>
         <source>Accelerations</source>
@@ -380,8 +380,16 @@
         <translation>Schwarz ist oben im Relief eines Bildes und Weiß sein Grund. Was durchsichtig ist, liegt trotzdem auf dem Grund.</translation>
     </message>
     <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
         <source>Body shell</source>
         <translation>Karosserie</translation>
+    </message>
+    <message>
+        <source>Bolt</source>
+        <translation>Schraube</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -420,6 +428,14 @@
         <translation>Dem Ende des Netzes folgen Bytes; sie wurden übergangen.</translation>
     </message>
     <message>
+        <source>CUTTER has {1} values</source>
+        <translation>CUTTER hat {1} Werte</translation>
+    </message>
+    <message>
+        <source>CUTTER is not a convex cutter: {1}</source>
+        <translation>CUTTER ist kein konvexer Fräser: {1}</translation>
+    </message>
+    <message>
         <source>Checking passes</source>
         <translation>Bahnen werden geprüft</translation>
     </message>
@@ -454,6 +470,10 @@
     <message>
         <source>Chuck</source>
         <translation>Futter</translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation>Spannpratze</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -696,6 +716,10 @@
         <translation>Erhabenes Muster</translation>
     </message>
     <message>
+        <source>FEDRAT without a value</source>
+        <translation>FEDRAT ohne Wert</translation>
+    </message>
+    <message>
         <source>Faces</source>
         <translation>Flächen</translation>
     </message>
@@ -846,6 +870,22 @@
     <message>
         <source>Front</source>
         <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Front jaw</source>
+        <translation>Vordere Backe</translation>
+    </message>
+    <message>
+        <source>GODLTA has no place to start from</source>
+        <translation>GODLTA hat keinen Ort, von dem es ausgeht</translation>
+    </message>
+    <message>
+        <source>GODLTA has {1} values</source>
+        <translation>GODLTA hat {1} Werte</translation>
+    </message>
+    <message>
+        <source>GODLTA leaves the range of coordinates</source>
+        <translation>GODLTA verlässt den Bereich der Koordinaten</translation>
     </message>
     <message>
         <source>GOTO {1} of '{2}'</source>
@@ -1066,6 +1106,10 @@
     <message>
         <source>Isometric</source>
         <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Its axes and speeds decide the machining time.</source>
+        <translation>Ihre Achsen und Geschwindigkeiten bestimmen die Bearbeitungszeit.</translation>
     </message>
     <message>
         <source>Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.</source>
@@ -1320,6 +1364,10 @@
         <translation>Mach3 und Mach4</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
         <source>Machining direction</source>
         <translation>Bearbeitungsrichtung</translation>
     </message>
@@ -1544,6 +1592,14 @@
         <translation>Des glatten Teils, der aus dem Halter ragt.</translation>
     </message>
     <message>
+        <source>Of the setup. Each has its own.</source>
+        <translation>Der Aufspannung. Jede hat ihren eigenen.</translation>
+    </message>
+    <message>
+        <source>Of the stock in all, X, Y and Z: the part and its margins. Either can be typed; the project keeps the margins.</source>
+        <translation>Des ganzen Rohteils, X, Y und Z: das Teil und seine Zugaben. Beides lässt sich eintippen; das Projekt behält die Zugaben.</translation>
+    </message>
+    <message>
         <source>Of the work coordinates, from the place that `zero_from` says; from the part's origin a point of the part.</source>
         <translation>Der Werkstückkoordinaten, von der Stelle aus, die `zero_from` nennt; vom Ursprung des Teils aus ein Punkt des Teils.</translation>
     </message>
@@ -1634,6 +1690,10 @@
     <message>
         <source>Planning passes</source>
         <translation>Bahnen werden geplant</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
     </message>
     <message>
         <source>Plunge feed</source>
@@ -1742,6 +1802,10 @@
     <message>
         <source>Rear</source>
         <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Rear jaw</source>
+        <translation>Hintere Backe</translation>
     </message>
     <message>
         <source>Region edits</source>
@@ -2042,6 +2106,10 @@
     <message>
         <source>Switched off: the operation is left out of plan, verification and programs, as if it were not there.</source>
         <translation>Ausgeschaltet: die Operation fehlt in Plan, Prüfung und Programmen, als gäbe es sie nicht.</translation>
+    </message>
+    <message>
+        <source>TLAXIS has not three values</source>
+        <translation>TLAXIS hat nicht drei Werte</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -2400,6 +2468,14 @@
         <translation>T{1}: weggelassen: neben der Bibliothek oder in ihrem Ordner Bit gibt es kein '{2}'</translation>
     </message>
     <message>
+        <source>UNITS changes after lengths were given</source>
+        <translation>UNITS wechselt, nachdem Längen genannt wurden</translation>
+    </message>
+    <message>
+        <source>UNITS names no unit</source>
+        <translation>UNITS nennt keine Einheit</translation>
+    </message>
+    <message>
         <source>Uncut limit</source>
         <translation>Grenze des Stehengebliebenen</translation>
     </message>
@@ -2560,6 +2636,14 @@
         <translation>Das Teil wird geschrieben</translation>
     </message>
     <message>
+        <source>X or Y go home while the tool is down</source>
+        <translation>X oder Y fahren zur Grundstellung, während das Werkzeug unten ist</translation>
+    </message>
+    <message>
+        <source>X, Y, Z or the feed has no word</source>
+        <translation>X, Y, Z oder der Vorschub hat kein Wort</translation>
+    </message>
+    <message>
         <source>Yaw</source>
         <translation>Taumelwinkel</translation>
     </message>
@@ -2582,6 +2666,14 @@
     <message>
         <source>Zero on box</source>
         <translation>Nullpunkt am Quader</translation>
+    </message>
+    <message>
+        <source>a '{' is not closed</source>
+        <translation>ein '{' ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>a '}' stands without '{'</source>
+        <translation>ein '}' steht ohne '{'</translation>
     </message>
     <message>
         <source>a .fcholder file has one holder</source>
@@ -2668,6 +2760,10 @@
         <translation>ein Zstandard-Archiv</translation>
     </message>
     <message>
+        <source>a block of its own time has no time</source>
+        <translation>ein Satz mit eigener Zeit hat keine Zeit</translation>
+    </message>
+    <message>
         <source>a bracket is not closed</source>
         <translation>eine Klammer ist nicht geschlossen</translation>
     </message>
@@ -2676,8 +2772,16 @@
         <translation>ein bzip2-Archiv</translation>
     </message>
     <message>
+        <source>a character is not plain text</source>
+        <translation>ein Zeichen ist kein reiner Text</translation>
+    </message>
+    <message>
         <source>a closed curve has three corners or more</source>
         <translation>eine geschlossene Kurve hat drei Ecken oder mehr</translation>
+    </message>
+    <message>
+        <source>a comment is not closed, or holds another one</source>
+        <translation>ein Kommentar ist nicht geschlossen oder enthält einen anderen</translation>
     </message>
     <message>
         <source>a coordinate is beyond {1}</source>
@@ -2700,6 +2804,10 @@
         <translation>eine Koordinate ist zu groß, wenn das Objekt ({1}) an seinem Platz ist</translation>
     </message>
     <message>
+        <source>a coordinate of {1} is too large</source>
+        <translation>eine Koordinate von {1} ist zu groß</translation>
+    </message>
+    <message>
         <source>a corner cannot be written as a float</source>
         <translation>eine Ecke kann nicht als float geschrieben werden</translation>
     </message>
@@ -2718,6 +2826,10 @@
     <message>
         <source>a dimension of the cutter is not a usable number</source>
         <translation>ein Maß des Fräsers ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>a direction is given without an arc</source>
+        <translation>eine Richtung ist ohne Bogen angegeben</translation>
     </message>
     <message>
         <source>a facet has fewer than 3 corners</source>
@@ -2808,6 +2920,10 @@
         <translation>eine Zahl wird durch ein Maß geteilt</translation>
     </message>
     <message>
+        <source>a number is missing behind '{1}'</source>
+        <translation>hinter '{1}' fehlt eine Zahl</translation>
+    </message>
+    <message>
         <source>a number or a word</source>
         <translation>eine Zahl oder ein Wort</translation>
     </message>
@@ -2844,6 +2960,22 @@
         <translation>eine Bahn geht bei {2} um {1} in das Aufmaß</translation>
     </message>
     <message>
+        <source>a place is given and no kind of motion</source>
+        <translation>ein Ort ist angegeben und keine Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>a place of the machine's own is not known here</source>
+        <translation>ein Ort der Maschine selbst ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a plane is tilted while the tip is led, or in another one</source>
+        <translation>eine Ebene wird geschwenkt, während die Spitze geführt wird, oder in einer anderen</translation>
+    </message>
+    <message>
+        <source>a plane is tilted, and the rotary axes have not turned to it</source>
+        <translation>eine Ebene ist geschwenkt, und die Drehachsen stehen nicht dazu</translation>
+    </message>
+    <message>
         <source>a pointer of Git LFS to a file that was not fetched</source>
         <translation>ein Verweis von Git LFS auf eine Datei, die nicht geholt wurde</translation>
     </message>
@@ -2868,8 +3000,28 @@
         <translation>einen Radius und eine Höhe</translation>
     </message>
     <message>
+        <source>a rapid moves several axes, and they do not arrive together</source>
+        <translation>ein Eilgang bewegt mehrere Achsen, und sie kommen nicht zugleich an</translation>
+    </message>
+    <message>
+        <source>a rapid without a motion</source>
+        <translation>ein Eilgang ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>a rapid{1}</source>
+        <translation>einen Eilgang{1}</translation>
+    </message>
+    <message>
         <source>a relief needs two columns and two rows</source>
         <translation>ein Relief braucht zwei Spalten und zwei Zeilen</translation>
+    </message>
+    <message>
+        <source>a rotary axis goes home</source>
+        <translation>eine Drehachse fährt auf ihre Grundstellung</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns in a tilted plane</source>
+        <translation>eine Drehachse dreht in einer geschwenkten Ebene</translation>
     </message>
     <message>
         <source>a setup turns and moves the part, and cannot mirror it</source>
@@ -2928,12 +3080,24 @@
         <translation>ein Text, der nicht mit 'solid' beginnt</translation>
     </message>
     <message>
+        <source>a tool axis is given as a vector, and no code says so</source>
+        <translation>eine Werkzeugachse ist als Vektor angegeben, und kein Code sagt das</translation>
+    </message>
+    <message>
         <source>a tool axis lies down</source>
         <translation>eine Werkzeugachse liegt</translation>
     </message>
     <message>
         <source>a tool fits but does not go there</source>
         <translation>ein Werkzeug passt, geht aber nicht dorthin</translation>
+    </message>
+    <message>
+        <source>a tool is changed and none was named</source>
+        <translation>ein Werkzeug wird gewechselt und keines wurde genannt</translation>
+    </message>
+    <message>
+        <source>a tool length is called without a number</source>
+        <translation>eine Werkzeuglänge wird ohne Nummer aufgerufen</translation>
     </message>
     <message>
         <source>a tool pose is not finite or its axis is no unit vector</source>
@@ -3032,8 +3196,32 @@
         <translation>eine Operation hinzufügen</translation>
     </message>
     <message>
+        <source>add i, j and k to words</source>
+        <translation>i, j und k zu words hinzufügen</translation>
+    </message>
+    <message>
+        <source>add i, j and k to words, or centre_x and so on</source>
+        <translation>i, j und k zu words hinzufügen, oder centre_x und so weiter</translation>
+    </message>
+    <message>
+        <source>add it to the project's tools</source>
+        <translation>es zu den Werkzeugen des Projekts hinzufügen</translation>
+    </message>
+    <message>
         <source>add it to the words of the post</source>
         <translation>es bei den Wörtern des Postprozessors hinzufügen</translation>
+    </message>
+    <message>
+        <source>add one to codes</source>
+        <translation>einen zu codes hinzufügen</translation>
+    </message>
+    <message>
+        <source>add one, or write true</source>
+        <translation>einen hinzufügen oder true schreiben</translation>
+    </message>
+    <message>
+        <source>add radius to words</source>
+        <translation>radius zu words hinzufügen</translation>
     </message>
     <message>
         <source>all around</source>
@@ -3128,6 +3316,66 @@
         <translation>ein XML-Dokument</translation>
     </message>
     <message>
+        <source>an arc begins at a place that is not known</source>
+        <translation>ein Bogen beginnt an einem unbekannten Ort</translation>
+    </message>
+    <message>
+        <source>an arc begins {1} mm from its centre and ends {2} mm from it</source>
+        <translation>ein Bogen beginnt {1} mm von seinem Mittelpunkt und endet {2} mm davon</translation>
+    </message>
+    <message>
+        <source>an arc has a centre and a radius</source>
+        <translation>ein Bogen hat einen Mittelpunkt und einen Radius</translation>
+    </message>
+    <message>
+        <source>an arc has a word that is read over</source>
+        <translation>ein Bogen hat ein Wort, das überlesen wird</translation>
+    </message>
+    <message>
+        <source>an arc has neither centre nor radius</source>
+        <translation>ein Bogen hat weder Mittelpunkt noch Radius</translation>
+    </message>
+    <message>
+        <source>an arc has no centre</source>
+        <translation>ein Bogen hat keinen Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>an arc has no direction</source>
+        <translation>ein Bogen hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>an arc has no radius</source>
+        <translation>ein Bogen hat keinen Radius</translation>
+    </message>
+    <message>
+        <source>an arc has two directions</source>
+        <translation>ein Bogen hat zwei Richtungen</translation>
+    </message>
+    <message>
+        <source>an arc is given, and nothing says in which plane</source>
+        <translation>ein Bogen ist angegeben, und nichts sagt, in welcher Ebene</translation>
+    </message>
+    <message>
+        <source>an arc is no rapid</source>
+        <translation>ein Bogen ist kein Eilgang</translation>
+    </message>
+    <message>
+        <source>an arc turns a rotary axis</source>
+        <translation>ein Bogen dreht eine Drehachse</translation>
+    </message>
+    <message>
+        <source>an axis calls at a place of the part on its way home</source>
+        <translation>eine Achse fährt auf dem Weg zur Grundstellung einen Ort des Teils an</translation>
+    </message>
+    <message>
+        <source>an axis goes home while the tip is led or in a tilted plane</source>
+        <translation>eine Achse fährt zur Grundstellung, während die Spitze geführt wird oder in einer geschwenkten Ebene</translation>
+    </message>
+    <message>
+        <source>an axis has no number</source>
+        <translation>eine Achse hat keine Zahl</translation>
+    </message>
+    <message>
         <source>an empty ZIP archive</source>
         <translation>ein leeres ZIP-Archiv</translation>
     </message>
@@ -3160,12 +3408,20 @@
         <translation>ein xz-Archiv</translation>
     </message>
     <message>
+        <source>and {1} more</source>
+        <translation>und {1} weitere</translation>
+    </message>
+    <message>
         <source>another STL file follows the first in it</source>
         <translation>in ihr folgt auf die erste STL-Datei eine weitere</translation>
     </message>
     <message>
         <source>another {1} is called '{2}'</source>
         <translation>'{2}' heißt schon etwas anderes ({1})</translation>
+    </message>
+    <message>
+        <source>arcs about a centre of their own block are told in XY and do not climb</source>
+        <translation>Bögen um einen Mittelpunkt in einem eigenen Satz liegen in XY und steigen nicht</translation>
     </message>
     <message>
         <source>as many answers as points are needed</source>
@@ -3224,6 +3480,10 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
         <source>bottom angle and taper angle make no convex cutter</source>
         <translation>Stirn- und Flankenwinkel ergeben keinen konvexen Fräser</translation>
     </message>
@@ -3248,8 +3508,40 @@
         <translation>Quader</translation>
     </message>
     <message>
+        <source>bring rotary axes, X and Y to the start first</source>
+        <translation>zuerst Drehachsen, X und Y an den Anfang bringen</translation>
+    </message>
+    <message>
+        <source>bring rotary axes, X and Y to the start first, and give X, Y and Z</source>
+        <translation>zuerst Drehachsen, X und Y an den Anfang bringen und X, Y und Z angeben</translation>
+    </message>
+    <message>
+        <source>bring the rotary axes to where it is held before it</source>
+        <translation>die Drehachsen davor dorthin bringen, wo sie gehalten wird</translation>
+    </message>
+    <message>
+        <source>bring them there before it, so that the control has nothing to choose</source>
+        <translation>sie davor dorthin bringen, damit die Steuerung nichts zu wählen hat</translation>
+    </message>
+    <message>
         <source>bull nose end mill</source>
         <translation>Torusfräser</translation>
+    </message>
+    <message>
+        <source>call it</source>
+        <translation>sie aufrufen</translation>
+    </message>
+    <message>
+        <source>call it before</source>
+        <translation>davor aufrufen</translation>
+    </message>
+    <message>
+        <source>call its edge before it</source>
+        <translation>davor seine Schneide aufrufen</translation>
+    </message>
+    <message>
+        <source>call its own</source>
+        <translation>seine eigene aufrufen</translation>
     </message>
     <message>
         <source>cannot be reached: {1} of the surface ({2}) around {3}: {4}</source>
@@ -3308,6 +3600,14 @@
         <translation>Kommas, Anführungszeichen und Klammern prüfen</translation>
     </message>
     <message>
+        <source>check its end and its centre</source>
+        <translation>Ende und Mittelpunkt prüfen</translation>
+    </message>
+    <message>
+        <source>check its end and its radius</source>
+        <translation>Ende und Radius prüfen</translation>
+    </message>
+    <message>
         <source>check its permissions</source>
         <translation>die Rechte prüfen</translation>
     </message>
@@ -3324,6 +3624,10 @@
         <translation>Teil, Werkzeug und Toleranz prüfen</translation>
     </message>
     <message>
+        <source>check that it is an APT CL file</source>
+        <translation>prüfen, dass es eine APT-CL-Datei ist</translation>
+    </message>
+    <message>
         <source>check the axis</source>
         <translation>die Achse prüfen</translation>
     </message>
@@ -3332,12 +3636,20 @@
         <translation>die Achse, den Kernradius und Anfang und Ende des Wegs prüfen</translation>
     </message>
     <message>
+        <source>check the directions</source>
+        <translation>die Richtungen prüfen</translation>
+    </message>
+    <message>
         <source>check the disk</source>
         <translation>die Platte prüfen</translation>
     </message>
     <message>
         <source>check the file</source>
         <translation>die Datei prüfen</translation>
+    </message>
+    <message>
+        <source>check the file and its units</source>
+        <translation>die Datei und ihre Einheiten prüfen</translation>
     </message>
     <message>
         <source>check the folder, its permissions and the free space</source>
@@ -3368,8 +3680,16 @@
         <translation>den Namen prüfen</translation>
     </message>
     <message>
+        <source>check the number for a point that was lost</source>
+        <translation>die Zahl auf einen verlorenen Punkt prüfen</translation>
+    </message>
+    <message>
         <source>check the part</source>
         <translation>das Teil prüfen</translation>
+    </message>
+    <message>
+        <source>check the part's place and the program</source>
+        <translation>die Lage des Teils und das Programm prüfen</translation>
     </message>
     <message>
         <source>check the part's units</source>
@@ -3406,6 +3726,14 @@
     <message>
         <source>check the placements, or give the setup a stock of its own</source>
         <translation>die Lagen prüfen oder der Aufspannung ein eigenes Rohteil geben</translation>
+    </message>
+    <message>
+        <source>check the program</source>
+        <translation>das Programm prüfen</translation>
+    </message>
+    <message>
+        <source>check the program and the machine</source>
+        <translation>das Programm und die Maschine prüfen</translation>
     </message>
     <message>
         <source>check the program's units</source>
@@ -3520,8 +3848,16 @@
         <translation>einige ihrer Objekte wählen</translation>
     </message>
     <message>
+        <source>choose the machine it runs on</source>
+        <translation>die Maschine wählen, auf der es läuft</translation>
+    </message>
+    <message>
         <source>choose the machine that it runs on</source>
         <translation>die Maschine wählen, auf der es läuft</translation>
+    </message>
+    <message>
+        <source>choose the setup's</source>
+        <translation>das der Aufspannung wählen</translation>
     </message>
     <message>
         <source>chuck and tailstock keep the tool from {1} of the part's length, which stays uncut</source>
@@ -3554,6 +3890,14 @@
     <message>
         <source>cm2</source>
         <translation>cm2</translation>
+    </message>
+    <message>
+        <source>come down straight</source>
+        <translation>gerade herunterfahren</translation>
+    </message>
+    <message>
+        <source>comments begin with ( or ;</source>
+        <translation>Kommentare beginnen mit ( oder ;</translation>
     </message>
     <message>
         <source>contact</source>
@@ -3636,10 +3980,6 @@
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>cusps of </source>
-        <translation>Rillen von </translation>
-    </message>
-    <message>
         <source>cut</source>
         <translation>Schnitt</translation>
     </message>
@@ -3682,6 +4022,10 @@
     <message>
         <source>decimate: ends when this share of the facets is left. 0 goes as far as the bound allows.</source>
         <translation>Ausdünnen: endet, wenn dieser Anteil der Facetten übrig ist. 0 geht so weit, wie die Schranke erlaubt.</translation>
+    </message>
+    <message>
+        <source>define it before</source>
+        <translation>davor festlegen</translation>
     </message>
     <message>
         <source>did you mean '{1}'?</source>
@@ -3788,6 +4132,10 @@
         <translation>Überstand {1}</translation>
     </message>
     <message>
+        <source>expected a list of {1} numbers</source>
+        <translation>eine Liste von {1} Zahlen erwartet</translation>
+    </message>
+    <message>
         <source>expected a whole number</source>
         <translation>eine ganze Zahl erwartet</translation>
     </message>
@@ -3796,8 +4144,16 @@
         <translation>erwartet: {1}</translation>
     </message>
     <message>
+        <source>export it again</source>
+        <translation>neu exportieren</translation>
+    </message>
+    <message>
         <source>export it again, and copy it as binary</source>
         <translation>exportieren Sie sie neu, und kopieren Sie sie binär</translation>
+    </message>
+    <message>
+        <source>export it again, or end it with FINI</source>
+        <translation>neu exportieren oder mit FINI beenden</translation>
     </message>
     <message>
         <source>export it again, without compression</source>
@@ -3924,6 +4280,10 @@
         <translation>Schneiden von {1} statt {2}</translation>
     </message>
     <message>
+        <source>flutes of {1} instead of {2} and a stick-out of {3} below the holder instead of {4}</source>
+        <translation>Schneiden von {1} statt {2} und eine Auskraglänge von {3} unter dem Halter statt {4}</translation>
+    </message>
+    <message>
         <source>free some memory</source>
         <translation>Speicher freimachen</translation>
     </message>
@@ -3936,8 +4296,8 @@
         <translation>von oben</translation>
     </message>
     <message>
-        <source>from setup '{1}': </source>
-        <translation>von Aufspannung '{1}': </translation>
+        <source>from setup '{1}': {2}</source>
+        <translation>aus Aufspannung '{1}': {2}</translation>
     </message>
     <message>
         <source>from tolerance</source>
@@ -3946,6 +4306,10 @@
     <message>
         <source>from {1}° to {2}° is no range of postures</source>
         <translation>von {1}° bis {2}° ist kein Bereich von Stellungen</translation>
+    </message>
+    <message>
+        <source>give I, J and K</source>
+        <translation>I, J und K angeben</translation>
     </message>
     <message>
         <source>give a .png file</source>
@@ -3958,6 +4322,10 @@
     <message>
         <source>give a direction from the tip to the spindle, upright is 0, 0, 1</source>
         <translation>eine Richtung von der Spitze zur Spindel angeben, senkrecht ist 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>give a feed</source>
+        <translation>einen Vorschub angeben</translation>
     </message>
     <message>
         <source>give a length</source>
@@ -3980,12 +4348,20 @@
         <translation>eine Stelle im Bereich angeben</translation>
     </message>
     <message>
+        <source>give a positive feed</source>
+        <translation>einen Vorschub über 0 angeben</translation>
+    </message>
+    <message>
         <source>give a positive length</source>
         <translation>eine positive Länge angeben</translation>
     </message>
     <message>
         <source>give a solid, or use a box or cylinder</source>
         <translation>einen Körper angeben, oder Quader oder Zylinder nehmen</translation>
+    </message>
+    <message>
+        <source>give a speed</source>
+        <translation>eine Drehzahl angeben</translation>
     </message>
     <message>
         <source>give a whole number of at least 3</source>
@@ -4000,8 +4376,16 @@
         <translation>mindestens zwei je Richtung angeben</translation>
     </message>
     <message>
+        <source>give each its own</source>
+        <translation>jeder ihre eigene geben</translation>
+    </message>
+    <message>
         <source>give each tool a number of its own</source>
         <translation>jedem Werkzeug eine eigene Nummer geben</translation>
+    </message>
+    <message>
+        <source>give every axis its own name</source>
+        <translation>jeder Achse ihren eigenen Namen geben</translation>
     </message>
     <message>
         <source>give every boundary its own name</source>
@@ -4024,6 +4408,10 @@
         <translation>jedem Werkzeug eine eigene Nummer geben</translation>
     </message>
     <message>
+        <source>give it a feed</source>
+        <translation>ihm einen Vorschub geben</translation>
+    </message>
+    <message>
         <source>give it a name</source>
         <translation>ihm einen Namen geben</translation>
     </message>
@@ -4034,6 +4422,10 @@
     <message>
         <source>give it a stock of its own before</source>
         <translation>ihr vorher ein eigenes Rohteil geben</translation>
+    </message>
+    <message>
+        <source>give it in a block before</source>
+        <translation>ihn in einem Satz davor angeben</translation>
     </message>
     <message>
         <source>give it {1}</source>
@@ -4054,6 +4446,10 @@
     <message>
         <source>give one of Facetmill, Fusion, CAMotics or Kiri:Moto</source>
         <translation>eine von Facetmill, Fusion, CAMotics oder Kiri:Moto angeben</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>eines davon angeben</translation>
     </message>
     <message>
         <source>give radii and heights that rise</source>
@@ -4094,6 +4490,14 @@
     <message>
         <source>give the inclination</source>
         <translation>die Neigung angeben</translation>
+    </message>
+    <message>
+        <source>give the largest speed, in degrees per second</source>
+        <translation>die größte Geschwindigkeit angeben, in Grad je Sekunde</translation>
+    </message>
+    <message>
+        <source>give the largest speed, in units per second</source>
+        <translation>die größte Geschwindigkeit angeben, in Einheiten je Sekunde</translation>
     </message>
     <message>
         <source>give the length from tip to spindle nose</source>
@@ -4172,6 +4576,10 @@
         <translation>den Taumelwinkel angeben</translation>
     </message>
     <message>
+        <source>give turns per minute</source>
+        <translation>Umdrehungen je Minute angeben</translation>
+    </message>
+    <message>
         <source>give two angles between {1}° and {2}°, the smaller first</source>
         <translation>zwei Winkel zwischen {1}° und {2}° angeben, den kleineren zuerst</translation>
     </message>
@@ -4188,8 +4596,16 @@
         <translation>global</translation>
     </message>
     <message>
-        <source>gouge of {1}</source>
-        <translation>Verletzung von {1}</translation>
+        <source>go there straight first</source>
+        <translation>zuerst gerade dorthin fahren</translation>
+    </message>
+    <message>
+        <source>gouge of {1} ({2}), limit {3}</source>
+        <translation>Verletzung von {1} ({2}), Grenze {3}</translation>
+    </message>
+    <message>
+        <source>gouge of {1}, limit {2}</source>
+        <translation>Verletzung von {1}, Grenze {2}</translation>
     </message>
     <message>
         <source>grblHAL</source>
@@ -4254,6 +4670,10 @@
     <message>
         <source>helix</source>
         <translation>Wendel</translation>
+    </message>
+    <message>
+        <source>high {1}</source>
+        <translation>{1} hoch</translation>
     </message>
     <message>
         <source>hold less of the stock, or take a smaller tool or clearance</source>
@@ -4496,6 +4916,14 @@
         <translation>es kann nicht als Zahl geschrieben werden</translation>
     </message>
     <message>
+        <source>it cuts while the spindle stands</source>
+        <translation>es fräst, während die Spindel steht</translation>
+    </message>
+    <message>
+        <source>it cuts, and no speed of the spindle is given</source>
+        <translation>es fräst, und keine Drehzahl ist angegeben</translation>
+    </message>
+    <message>
         <source>it divides by 0</source>
         <translation>es wird durch 0 geteilt</translation>
     </message>
@@ -4562,6 +4990,14 @@
     <message>
         <source>it leaves more than the tolerance</source>
         <translation>sie lässt mehr als die Toleranz</translation>
+    </message>
+    <message>
+        <source>it may be cut short: write it anew</source>
+        <translation>es ist vielleicht abgeschnitten: neu schreiben</translation>
+    </message>
+    <message>
+        <source>it may say how often it turns: leave it out</source>
+        <translation>es sagt vielleicht, wie oft er dreht: weglassen</translation>
     </message>
     <message>
         <source>it names faces, and the part's file has none: only STEP and IGES files do</source>
@@ -4648,6 +5084,10 @@
         <translation>Verbinden: die Datei des Scans, der angefügt wird, in Einheit und Koordinaten von diesem.</translation>
     </message>
     <message>
+        <source>keep one</source>
+        <translation>eines behalten</translation>
+    </message>
+    <message>
         <source>keep one of them</source>
         <translation>einen davon behalten</translation>
     </message>
@@ -4662,6 +5102,14 @@
     <message>
         <source>known keys: {1}</source>
         <translation>bekannte Schlüssel: {1}</translation>
+    </message>
+    <message>
+        <source>known meanings: {1}</source>
+        <translation>bekannte Bedeutungen: {1}</translation>
+    </message>
+    <message>
+        <source>known words: {1}</source>
+        <translation>bekannte Wörter: {1}</translation>
     </message>
     <message>
         <source>known {1}s: {2}; a name that ends with .json is a file of your own</source>
@@ -4686,6 +5134,22 @@
     <message>
         <source>leave it out</source>
         <translation>sie weglassen</translation>
+    </message>
+    <message>
+        <source>leave it out, or check its direction</source>
+        <translation>weglassen oder ihre Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>leave it where it is</source>
+        <translation>sie lassen, wo sie ist</translation>
+    </message>
+    <message>
+        <source>leave out those that are clamped</source>
+        <translation>die festgeklemmten weglassen</translation>
+    </message>
+    <message>
+        <source>leave some out</source>
+        <translation>einige weglassen</translation>
     </message>
     <message>
         <source>leave the operation out</source>
@@ -4760,8 +5224,20 @@
         <translation>die Operation zuerst eine andere oder keine Begrenzung nennen lassen</translation>
     </message>
     <message>
+        <source>list X, Y and Z</source>
+        <translation>X, Y und Z nennen</translation>
+    </message>
+    <message>
         <source>list at least one setup</source>
         <translation>mindestens eine Aufspannung auflisten</translation>
+    </message>
+    <message>
+        <source>list the axes: X, Y, Z and up to two rotary ones</source>
+        <translation>die Achsen nennen: X, Y, Z und bis zu zwei Drehachsen</translation>
+    </message>
+    <message>
+        <source>list the axis that carries the other one first; check the directions</source>
+        <translation>die Achse, die die andere trägt, zuerst nennen; die Richtungen prüfen</translation>
     </message>
     <message>
         <source>list the steps</source>
@@ -4778,6 +5254,10 @@
     <message>
         <source>look across it, as along 0, 0, 1</source>
         <translation>quer dazu blicken, etwa entlang 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>low {1}</source>
+        <translation>{1} niedrig</translation>
     </message>
     <message>
         <source>lower it, or raise the assumed lead limit</source>
@@ -4820,6 +5300,10 @@
         <translation>Werkstoffe</translation>
     </message>
     <message>
+        <source>mend it, or leave it out</source>
+        <translation>berichtigen oder weglassen</translation>
+    </message>
+    <message>
         <source>mesh</source>
         <translation>Netz</translation>
     </message>
@@ -4836,8 +5320,8 @@
         <translation>mittlere Höhe</translation>
     </message>
     <message>
-        <source>middle of</source>
-        <translation>Mitte von</translation>
+        <source>middle of {1}</source>
+        <translation>Mitte von {1}</translation>
     </message>
     <message>
         <source>mirror the part itself, which all setups have</source>
@@ -4878,6 +5362,10 @@
     <message>
         <source>move the part, or choose a shorter tool</source>
         <translation>das Teil verschieben oder ein kürzeres Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>move them one by one, or at feed</source>
+        <translation>einzeln oder im Vorschub bewegen</translation>
     </message>
     <message>
         <source>move what is in the way, make it smaller, or give it less clearance</source>
@@ -4936,8 +5424,20 @@
         <translation>Flächen der Datei des Teils nennen</translation>
     </message>
     <message>
+        <source>name it first</source>
+        <translation>es zuerst nennen</translation>
+    </message>
+    <message>
+        <source>name it in the project, as `wcs`</source>
+        <translation>im Projekt nennen, als `wcs`</translation>
+    </message>
+    <message>
         <source>name its objects: {1}</source>
         <translation>die Objekte nennen: {1}</translation>
+    </message>
+    <message>
+        <source>name the control as people call it</source>
+        <translation>die Steuerung nennen, wie sie heißt</translation>
     </message>
     <message>
         <source>name the fixture's mesh file</source>
@@ -4946,6 +5446,14 @@
     <message>
         <source>name the kind of operation</source>
         <translation>die Art der Operation nennen</translation>
+    </message>
+    <message>
+        <source>name the machine</source>
+        <translation>die Maschine nennen</translation>
+    </message>
+    <message>
+        <source>name the machine as people call it</source>
+        <translation>die Maschine nennen, wie sie heißt</translation>
     </message>
     <message>
         <source>name the other scan's file</source>
@@ -4998,6 +5506,22 @@
     <message>
         <source>needs a lead of up to {1}, allowed are {2}</source>
         <translation>braucht einen Anstellwinkel bis {1}, erlaubt sind {2}</translation>
+    </message>
+    <message>
+        <source>no FINI or END: the file may be cut short</source>
+        <translation>kein FINI oder END: die Datei ist vielleicht abgeschnitten</translation>
+    </message>
+    <message>
+        <source>no arc of this radius leads there</source>
+        <translation>kein Bogen dieses Radius führt dorthin</translation>
+    </message>
+    <message>
+        <source>no code means '{1}'</source>
+        <translation>kein Code bedeutet '{1}'</translation>
+    </message>
+    <message>
+        <source>no code says what the unit of the numbers is</source>
+        <translation>kein Code sagt die Einheit der Zahlen</translation>
     </message>
     <message>
         <source>no contact point has a free posture with a lead of at most {1}</source>
@@ -5100,8 +5624,16 @@
         <translation>kein Werkzeug passt</translation>
     </message>
     <message>
+        <source>no tool is in the spindle</source>
+        <translation>kein Werkzeug ist in der Spindel</translation>
+    </message>
+    <message>
         <source>no value</source>
         <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>no work coordinate system is chosen</source>
+        <translation>kein Werkstückkoordinatensystem ist gewählt</translation>
     </message>
     <message>
         <source>nobody has said which tool leaves it</source>
@@ -5132,8 +5664,20 @@
         <translation>nicht beurteilt</translation>
     </message>
     <message>
+        <source>not one line has the word {wcs}</source>
+        <translation>keine Zeile hat das Wort {wcs}</translation>
+    </message>
+    <message>
+        <source>not one line has the words {plane_z} and {plane_x}</source>
+        <translation>keine Zeile hat die Wörter {plane_z} und {plane_x}</translation>
+    </message>
+    <message>
         <source>not valid JSON near '{1}'</source>
         <translation>kein gültiges JSON bei '{1}'</translation>
+    </message>
+    <message>
+        <source>nothing ends the tilted plane</source>
+        <translation>nichts beendet die geschwenkte Ebene</translation>
     </message>
     <message>
         <source>nothing follows the header</source>
@@ -5172,6 +5716,18 @@
         <translation>vom Rohteil steht nichts über dem Teil und dem Aufmaß von {1}</translation>
     </message>
     <message>
+        <source>nothing says what the feed is per</source>
+        <translation>nichts sagt, worauf sich der Vorschub bezieht</translation>
+    </message>
+    <message>
+        <source>nothing takes the tool up</source>
+        <translation>nichts hebt das Werkzeug ab</translation>
+    </message>
+    <message>
+        <source>nothing turns the rotary axes: no code means 'plane_axes'</source>
+        <translation>nichts dreht die Drehachsen: kein Code bedeutet 'plane_axes'</translation>
+    </message>
+    <message>
         <source>nothing was written</source>
         <translation>nichts wurde geschrieben</translation>
     </message>
@@ -5186,6 +5742,10 @@
     <message>
         <source>nowhere on the part, away from its open borders, is what the programs leave held against the tolerance</source>
         <translation>nirgends am Teil, abseits offener Ränder, wird an der Toleranz gemessen, was die Programme lassen</translation>
+    </message>
+    <message>
+        <source>number tools from 1</source>
+        <translation>Werkzeuge von 1 an nummerieren</translation>
     </message>
     <message>
         <source>object</source>
@@ -5228,8 +5788,12 @@
         <translation>einseitig</translation>
     </message>
     <message>
-        <source>only a step of kind hole leaves a hole open</source>
-        <translation>nur ein Schritt der Art Loch lässt ein Loch offen</translation>
+        <source>only UNITS/MM and UNITS/INCHES are read</source>
+        <translation>nur UNITS/MM und UNITS/INCHES werden gelesen</translation>
+    </message>
+    <message>
+        <source>only {1}/OFF is read; output plain GOTO statements</source>
+        <translation>nur {1}/OFF wird gelesen; reine GOTO-Anweisungen ausgeben</translation>
     </message>
     <message>
         <source>open the file itself, under a name that ends as its format does</source>
@@ -5304,6 +5868,10 @@
         <translation>outer loop</translation>
     </message>
     <message>
+        <source>output straight GOTO statements (no arcs, cycles or transformations)</source>
+        <translation>gerade GOTO-Anweisungen ausgeben (keine Bögen, Zyklen oder Transformationen)</translation>
+    </message>
+    <message>
         <source>paint facets, widen it, or move it onto the part</source>
         <translation>Facetten malen, sie erweitern oder auf das Teil schieben</translation>
     </message>
@@ -5368,16 +5936,16 @@
         <translation>Stücke: die mit weniger Fläche fallen weg.</translation>
     </message>
     <message>
+        <source>places are not told from the origin</source>
+        <translation>Orte sind nicht vom Ursprung aus angegeben</translation>
+    </message>
+    <message>
         <source>places lie under the part itself, seen along the tool</source>
         <translation>Stellen liegen in Werkzeugrichtung unter dem Teil selbst</translation>
     </message>
     <message>
         <source>places looked at are {1} apart, and a cutter has a radius of {2}: ask for a resolution and a spacing of at most {3}</source>
         <translation>untersuchte Stellen sind {1} auseinander, und ein Fräser hat den Radius {2}: Auflösung und Abstand von höchstens {3} verlangen</translation>
-    </message>
-    <message>
-        <source>places uncut</source>
-        <translation>Stellen stehen</translation>
     </message>
     <message>
         <source>plan again</source>
@@ -5424,8 +5992,20 @@
         <translation>Voreinstellung {1}</translation>
     </message>
     <message>
+        <source>process the program to plain GOTO statements first</source>
+        <translation>das Programm zuerst zu reinen GOTO-Anweisungen verarbeiten</translation>
+    </message>
+    <message>
         <source>program '{1}'</source>
         <translation>Programm '{1}'</translation>
+    </message>
+    <message>
+        <source>put GOTO or FROM before it</source>
+        <translation>GOTO oder FROM davorsetzen</translation>
+    </message>
+    <message>
+        <source>put UNITS before CUTTER and the first GOTO</source>
+        <translation>UNITS vor CUTTER und das erste GOTO setzen</translation>
     </message>
     <message>
         <source>put it into one of "setups"</source>
@@ -5488,12 +6068,32 @@
         <translation>Rest</translation>
     </message>
     <message>
+        <source>retract Z first</source>
+        <translation>zuerst Z zurückziehen</translation>
+    </message>
+    <message>
+        <source>retract before it</source>
+        <translation>davor zurückziehen</translation>
+    </message>
+    <message>
+        <source>retract otherwise</source>
+        <translation>anders zurückziehen</translation>
+    </message>
+    <message>
+        <source>retract to 0 of the machine</source>
+        <translation>auf 0 der Maschine zurückziehen</translation>
+    </message>
+    <message>
         <source>rework: {1}</source>
         <translation>Nacharbeit: {1}</translation>
     </message>
     <message>
         <source>rings</source>
         <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>rotary axes turn to a tilted plane while the tool is down</source>
+        <translation>Drehachsen drehen zu einer geschwenkten Ebene, während das Werkzeug unten ist</translation>
     </message>
     <message>
         <source>rotate the part</source>
@@ -5512,8 +6112,16 @@
         <translation>Schruppen mit einem Werkzeug, das über der Stirn schmaler ist, lässt überhängendes Material</translation>
     </message>
     <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
+    </message>
+    <message>
         <source>sample surface</source>
         <translation>Beispielfläche</translation>
+    </message>
+    <message>
+        <source>save it as ASCII or UTF-8</source>
+        <translation>als ASCII oder UTF-8 speichern</translation>
     </message>
     <message>
         <source>save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)</source>
@@ -5584,8 +6192,32 @@
         <translation>Abschnitte</translation>
     </message>
     <message>
+        <source>see the codes of its post</source>
+        <translation>siehe die Codes ihres Postprozessors</translation>
+    </message>
+    <message>
+        <source>see the words and codes of its post</source>
+        <translation>siehe die Wörter und Codes ihres Postprozessors</translation>
+    </message>
+    <message>
+        <source>see the words of its post</source>
+        <translation>siehe die Wörter ihres Postprozessors</translation>
+    </message>
+    <message>
+        <source>send Z home first</source>
+        <translation>zuerst Z zur Grundstellung schicken</translation>
+    </message>
+    <message>
+        <source>send Z home first, alone</source>
+        <translation>zuerst Z allein zur Grundstellung schicken</translation>
+    </message>
+    <message>
         <source>send the files as they are</source>
         <translation>die Dateien schicken, wie sie sind</translation>
+    </message>
+    <message>
+        <source>set multi_axis to tcp or vectors</source>
+        <translation>multi_axis auf tcp oder vectors setzen</translation>
     </message>
     <message>
         <source>set the {1}</source>
@@ -5632,6 +6264,10 @@
         <translation>Form und Längen werden nicht übernommen</translation>
     </message>
     <message>
+        <source>shorten it</source>
+        <translation>ihn kürzen</translation>
+    </message>
+    <message>
         <source>shorten the line of the post, or the names in it</source>
         <translation>die Zeile des Postprozessors oder die Namen darin kürzen</translation>
     </message>
@@ -5662,6 +6298,10 @@
     <message>
         <source>spindle speed</source>
         <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>split the file: one program each</source>
+        <translation>die Datei teilen: je ein Programm</translation>
     </message>
     <message>
         <source>spot drill</source>
@@ -5704,8 +6344,32 @@
         <translation>einen einschalten oder die Operation weglassen</translation>
     </message>
     <message>
-        <source>switched off · {1}</source>
-        <translation>ausgeschaltet · {1}</translation>
+        <source>switch that off</source>
+        <translation>das ausschalten</translation>
+    </message>
+    <message>
+        <source>switch that off before it</source>
+        <translation>das davor ausschalten</translation>
+    </message>
+    <message>
+        <source>switch that on before it</source>
+        <translation>das davor einschalten</translation>
+    </message>
+    <message>
+        <source>switch the plane off before it</source>
+        <translation>davor die Ebene ausschalten</translation>
+    </message>
+    <message>
+        <source>switch the plane off first</source>
+        <translation>zuerst die Ebene ausschalten</translation>
+    </message>
+    <message>
+        <source>switched off · {1} · no tool yet</source>
+        <translation>ausgeschaltet · {1} · noch kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>switched off · {1} · tool {2}</source>
+        <translation>ausgeschaltet · {1} · Werkzeug {2}</translation>
     </message>
     <message>
         <source>tab</source>
@@ -5756,12 +6420,24 @@
         <translation>das Attribut {1} fehlt</translation>
     </message>
     <message>
+        <source>the axes turn to a tilted plane, and there is none</source>
+        <translation>die Achsen drehen zu einer geschwenkten Ebene, und es gibt keine</translation>
+    </message>
+    <message>
+        <source>the axis {1} is missing</source>
+        <translation>die Achse {1} fehlt</translation>
+    </message>
+    <message>
         <source>the ball's radius is not above 0</source>
         <translation>der Kugelradius ist nicht über 0</translation>
     </message>
     <message>
         <source>the block '{1}' is longer than {2} characters</source>
         <translation>der Satz '{1}' ist länger als {2} Zeichen</translation>
+    </message>
+    <message>
+        <source>the block has more than {1} characters</source>
+        <translation>der Satz hat mehr als {1} Zeichen</translation>
     </message>
     <message>
         <source>the bottom angle is out of range</source>
@@ -5774,6 +6450,22 @@
     <message>
         <source>the cells of a stock field are not above 0</source>
         <translation>die Zellen eines Rohteilfeldes sind nicht über 0</translation>
+    </message>
+    <message>
+        <source>the centre has no words</source>
+        <translation>der Mittelpunkt hat keine Wörter</translation>
+    </message>
+    <message>
+        <source>the centre of an arc has a part across its plane</source>
+        <translation>der Mittelpunkt eines Bogens hat einen Anteil quer zu seiner Ebene</translation>
+    </message>
+    <message>
+        <source>the centre or radius of an arc is given without one</source>
+        <translation>Mittelpunkt oder Radius eines Bogens ist ohne Bogen angegeben</translation>
+    </message>
+    <message>
+        <source>the choice of a work coordinate system is not whole</source>
+        <translation>die Wahl eines Werkstückkoordinatensystems ist nicht vollständig</translation>
     </message>
     <message>
         <source>the chord tolerance is not a length above 0</source>
@@ -5792,12 +6484,20 @@
         <translation>die Steuerung kann keine Werkzeuge wechseln, und das Programm hat mehrere</translation>
     </message>
     <message>
+        <source>the control chooses how to hold the tilted plane</source>
+        <translation>die Steuerung wählt, wie die geschwenkte Ebene gehalten wird</translation>
+    </message>
+    <message>
         <source>the control has no word for the axis {1}</source>
         <translation>die Steuerung hat kein Wort für die Achse {1}</translation>
     </message>
     <message>
         <source>the control has no work coordinate system '{1}'</source>
         <translation>die Steuerung hat kein Werkstückkoordinatensystem '{1}'</translation>
+    </message>
+    <message>
+        <source>the control would not read it</source>
+        <translation>die Steuerung würde ihn nicht lesen</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -5900,6 +6600,10 @@
         <translation>der Durchmesser {1} ist zu groß</translation>
     </message>
     <message>
+        <source>the direction has no length</source>
+        <translation>die Richtung hat keine Länge</translation>
+    </message>
+    <message>
         <source>the element '{1}' occurs twice</source>
         <translation>das Element '{1}' kommt zweimal vor</translation>
     </message>
@@ -5932,6 +6636,14 @@
         <translation>die Facetten können nicht geschrieben werden: {1}</translation>
     </message>
     <message>
+        <source>the feed is not above 0</source>
+        <translation>der Vorschub ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the feed {1} is out of range</source>
+        <translation>der Vorschub {1} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
         <source>the file ends here</source>
         <translation>die Datei endet hier</translation>
     </message>
@@ -5962,6 +6674,14 @@
     <message>
         <source>the file ends too early</source>
         <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file ends within a line, without FINI or END</source>
+        <translation>die Datei endet in einer Zeile, ohne FINI oder END</translation>
+    </message>
+    <message>
+        <source>the file ends within a statement</source>
+        <translation>die Datei endet in einer Anweisung</translation>
     </message>
     <message>
         <source>the file ends within a value</source>
@@ -6024,8 +6744,16 @@
         <translation>die Datei ist leer</translation>
     </message>
     <message>
+        <source>the file is for a newer Facetmill</source>
+        <translation>die Datei ist für ein neueres Facetmill</translation>
+    </message>
+    <message>
         <source>the file is not UTF-8 text (UTF-16 or binary)</source>
         <translation>die Datei ist kein UTF-8-Text (UTF-16 oder binär)</translation>
+    </message>
+    <message>
+        <source>the file is not plain text (UTF-16 or binary)</source>
+        <translation>die Datei ist kein reiner Text (UTF-16 oder binär)</translation>
     </message>
     <message>
         <source>the file is too large for a project or a machine</source>
@@ -6040,12 +6768,12 @@
         <translation>die erste muss unter der zweiten liegen</translation>
     </message>
     <message>
-        <source>the fixture</source>
-        <translation>das Spannmittel</translation>
+        <source>the fixture {1}</source>
+        <translation>das Spannmittel {1}</translation>
     </message>
     <message>
-        <source>the fixtures</source>
-        <translation>die Spannmittel</translation>
+        <source>the fixtures {1}</source>
+        <translation>die Spannmittel {1}</translation>
     </message>
     <message>
         <source>the folder cannot be made: {1}</source>
@@ -6128,12 +6856,20 @@
         <translation>die Grenze {1} liegt über der des angenommenen Wegs, {2}</translation>
     </message>
     <message>
+        <source>the length of a tool is called by an edge or by a number, not by both</source>
+        <translation>die Länge eines Werkzeugs wird durch eine Schneide oder durch eine Nummer aufgerufen, nicht durch beide</translation>
+    </message>
+    <message>
         <source>the length of the tool is negative or no number</source>
         <translation>die Länge des Werkzeugs ist negativ oder keine Zahl</translation>
     </message>
     <message>
-        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
-        <translation>die Höhenlinien lassen mehr stehen als erwartet: {1} bleiben um bis zu {2} ungefräst, am meisten bei {3}: eine kleinere Zustellung oder weitere Neigungsgrenzen wählen</translation>
+        <source>the length of tool {1} is called, and another one is in the spindle</source>
+        <translation>die Länge von Werkzeug {1} wird aufgerufen, und ein anderes ist in der Spindel</translation>
+    </message>
+    <message>
+        <source>the limits {1} and {2} leave no travel</source>
+        <translation>die Grenzen {1} und {2} lassen keinen Verfahrweg</translation>
     </message>
     <message>
         <source>the limits {1} are reversed or equal</source>
@@ -6148,12 +6884,28 @@
         <translation>die Zeile END-ISO-10303-21; einer STEP-Datei</translation>
     </message>
     <message>
+        <source>the line is too long</source>
+        <translation>die Zeile ist zu lang</translation>
+    </message>
+    <message>
+        <source>the line occurs twice, or has other words than {wcs}</source>
+        <translation>die Zeile kommt zweimal vor oder hat andere Wörter als {wcs}</translation>
+    </message>
+    <message>
         <source>the list has {1} values</source>
         <translation>die Liste hat {1} Werte</translation>
     </message>
     <message>
         <source>the list length</source>
         <translation>die Länge der Liste</translation>
+    </message>
+    <message>
+        <source>the machine cannot hold this place</source>
+        <translation>die Maschine kann diesen Ort nicht halten</translation>
+    </message>
+    <message>
+        <source>the machine has no axis {1}</source>
+        <translation>die Maschine hat keine Achse {1}</translation>
     </message>
     <message>
         <source>the machine's axes do not reach, or the tool would lie down</source>
@@ -6212,8 +6964,20 @@
         <translation>der Name kommt zweimal vor</translation>
     </message>
     <message>
+        <source>the number is not from {1} to {2}</source>
+        <translation>die Zahl ist nicht von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>die Zahl ist zu groß</translation>
+    </message>
+    <message>
         <source>the number {1} is too large</source>
         <translation>die Zahl {1} ist zu groß</translation>
+    </message>
+    <message>
+        <source>the numbers from {1} to {2}</source>
+        <translation>die Zahlen von {1} bis {2}</translation>
     </message>
     <message>
         <source>the object has too many keys</source>
@@ -6296,16 +7060,16 @@
         <translation>das zu legende Teil hat keine Größe</translation>
     </message>
     <message>
-        <source>the part's </source>
-        <translation>Teil: </translation>
-    </message>
-    <message>
         <source>the part's middle lies {1} off the turning axis: it turns unbalanced, and its stock needs a diameter of {2} about the axis</source>
         <translation>die Mitte des Teils liegt {1} neben der Drehachse: es dreht sich mit Unwucht, und sein Rohteil braucht einen Durchmesser von {2} um die Achse</translation>
     </message>
     <message>
         <source>the part's origin</source>
         <translation>der Ursprung des Teils</translation>
+    </message>
+    <message>
+        <source>the part's {1}, {2}, {3}</source>
+        <translation>Teil {1}, {2}, {3}</translation>
     </message>
     <message>
         <source>the passes end where the cutter would go below the bottom of the stock, by up to {1}: {2} of the points are left out unless 'Below the bottom' allows them</source>
@@ -6396,6 +7160,10 @@
         <translation>das Profil hat zu viele Stücke</translation>
     </message>
     <message>
+        <source>the program has no end</source>
+        <translation>das Programm hat kein Ende</translation>
+    </message>
+    <message>
         <source>the program has no motion</source>
         <translation>das Programm hat keine Bewegung</translation>
     </message>
@@ -6420,6 +7188,10 @@
         <translation>das Projekt hat keine Aufspannung</translation>
     </message>
     <message>
+        <source>the project has no tool {1}</source>
+        <translation>das Projekt hat kein Werkzeug {1}</translation>
+    </message>
+    <message>
         <source>the project has no tools: add one</source>
         <translation>das Projekt hat keine Werkzeuge: eines hinzufügen</translation>
     </message>
@@ -6428,12 +7200,24 @@
         <translation>der Radius in Höhe {1} ist zu groß</translation>
     </message>
     <message>
+        <source>the radius has no word</source>
+        <translation>der Radius hat kein Wort</translation>
+    </message>
+    <message>
         <source>the record has {1} values</source>
         <translation>der Datensatz hat {1} Werte</translation>
     </message>
     <message>
         <source>the rework tool is not known</source>
         <translation>das Nacharbeitswerkzeug ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the rotary axes are parallel: together they turn no further than one of them</source>
+        <translation>die Drehachsen sind parallel: zusammen drehen sie nicht weiter als eine</translation>
+    </message>
+    <message>
+        <source>the rotary axes do not stand where the tilted plane is held</source>
+        <translation>die Drehachsen stehen nicht, wo die geschwenkte Ebene gehalten wird</translation>
     </message>
     <message>
         <source>the scan would have to move by {1} to fit</source>
@@ -6480,8 +7264,24 @@
         <translation>der Seitenvorschub verlangt mehr als {1} Umdrehungen</translation>
     </message>
     <message>
-        <source>the side feed of {1} leaves </source>
-        <translation>der Seitenvorschub von {1} lässt </translation>
+        <source>the side feed of {1} leaves cusps of {2}; the tolerance allows {3}</source>
+        <translation>der Seitenvorschub von {1} lässt Rillen von {2}; die Toleranz erlaubt {3}</translation>
+    </message>
+    <message>
+        <source>the side feed of {1} leaves places uncut; the tolerance allows {2}</source>
+        <translation>der Seitenvorschub von {1} lässt Stellen stehen; die Toleranz erlaubt {2}</translation>
+    </message>
+    <message>
+        <source>the spindle speed is not above 0</source>
+        <translation>die Drehzahl ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>the spindle speed is out of range</source>
+        <translation>die Drehzahl ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the statement has too many values</source>
+        <translation>die Anweisung hat zu viele Werte</translation>
     </message>
     <message>
         <source>the step says no limit for pieces</source>
@@ -6528,8 +7328,8 @@
         <translation>das Rohteil ist nicht da</translation>
     </message>
     <message>
-        <source>the stock's </source>
-        <translation>Rohteil: </translation>
+        <source>the stock's {1}, {2}, {3}</source>
+        <translation>Rohteil {1}, {2}, {3}</translation>
     </message>
     <message>
         <source>the surface offset by vertices lets the cutter up to {1} (upright) into the allowance of {2}, most at {3}: use offset contact</source>
@@ -6540,16 +7340,20 @@
         <translation>die Felder der Fläche passen nicht zueinander</translation>
     </message>
     <message>
-        <source>the tab</source>
-        <translation>der Steg</translation>
+        <source>the tab {1}</source>
+        <translation>der Steg {1}</translation>
     </message>
     <message>
         <source>the table below the stock</source>
         <translation>der Tisch unter dem Rohteil</translation>
     </message>
     <message>
-        <source>the tabs</source>
-        <translation>die Stege</translation>
+        <source>the tabs {1}</source>
+        <translation>die Stege {1}</translation>
+    </message>
+    <message>
+        <source>the tape ends here, and the program is not at its end</source>
+        <translation>der Streifen endet hier, und das Programm ist nicht am Ende</translation>
     </message>
     <message>
         <source>the taper angle is out of range</source>
@@ -6576,6 +7380,10 @@
         <translation>der Text ist UTF-16 oder UTF-32</translation>
     </message>
     <message>
+        <source>the text is empty</source>
+        <translation>der Text ist leer</translation>
+    </message>
+    <message>
         <source>the text is not UTF-8</source>
         <translation>der Text ist nicht UTF-8</translation>
     </message>
@@ -6584,12 +7392,28 @@
         <translation>der Text ist nicht UTF-8: '{1}'</translation>
     </message>
     <message>
+        <source>the text is too long</source>
+        <translation>der Text ist zu lang</translation>
+    </message>
+    <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
         <translation>im Text einer ASCII-STL-Datei stehen binäre Bytes</translation>
     </message>
     <message>
         <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
         <translation>die Spitze wird daran gehindert, unter den Boden des Rohteils zu gehen, um bis zu {1} an {2} der Punkte: so viel bleibt dort auf der Fläche, wenn 'Unter dem Boden' es nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>the tip is led in a tilted plane</source>
+        <translation>die Spitze wird in einer geschwenkten Ebene geführt</translation>
+    </message>
+    <message>
+        <source>the tip is led on an arc</source>
+        <translation>die Spitze wird auf einem Bogen geführt</translation>
+    </message>
+    <message>
+        <source>the tip is to be led and the tool's length is not called</source>
+        <translation>die Spitze soll geführt werden und die Länge des Werkzeugs ist nicht aufgerufen</translation>
     </message>
     <message>
         <source>the tolerance asks for</source>
@@ -6612,6 +7436,10 @@
         <translation>die Werkzeugachse hat keine Richtung</translation>
     </message>
     <message>
+        <source>the tool axis has no length</source>
+        <translation>die Werkzeugachse hat keine Länge</translation>
+    </message>
+    <message>
         <source>the tool axis has not length 1</source>
         <translation>die Werkzeugachse hat nicht die Länge 1</translation>
     </message>
@@ -6620,8 +7448,16 @@
         <translation>die Werkzeugachse hat nicht die Länge 1</translation>
     </message>
     <message>
+        <source>the tool axis is told as a vector, and nothing leads the tip</source>
+        <translation>die Werkzeugachse ist ein Vektor, und nichts führt die Spitze</translation>
+    </message>
+    <message>
         <source>the tool axis of a 3-axis program is not +Z</source>
         <translation>die Werkzeugachse eines 3-Achs-Programms ist nicht +Z</translation>
+    </message>
+    <message>
+        <source>the tool axis of {1} is zero</source>
+        <translation>die Werkzeugachse von {1} ist null</translation>
     </message>
     <message>
         <source>the tool axis turns by half a turn at once</source>
@@ -6632,12 +7468,44 @@
         <translation>das Werkzeug kann nirgends entlang der {1} Streifen stehen, die Werkzeug {2} ließ</translation>
     </message>
     <message>
+        <source>the tool comes down and nothing says where an axis stands</source>
+        <translation>das Werkzeug kommt herunter, und nichts sagt, wo eine Achse steht</translation>
+    </message>
+    <message>
+        <source>the tool comes down on an arc</source>
+        <translation>das Werkzeug kommt auf einem Bogen herunter</translation>
+    </message>
+    <message>
+        <source>the tool goes elsewhere before it goes home</source>
+        <translation>das Werkzeug fährt anderswohin, bevor es zur Grundstellung fährt</translation>
+    </message>
+    <message>
+        <source>the tool goes up and aside at the same time</source>
+        <translation>das Werkzeug fährt zugleich hoch und zur Seite</translation>
+    </message>
+    <message>
         <source>the tool has room there, and the machine's axes do not take it in; turn the part or take another machine</source>
         <translation>das Werkzeug hat dort Platz, und die Achsen der Maschine nehmen es nicht auf; das Teil drehen oder eine andere Maschine nehmen</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out</source>
-        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen in das Teil, deshalb fallen {1} der Bahnen weg</translation>
+        <source>the tool is changed in a tilted plane</source>
+        <translation>das Werkzeug wird in einer geschwenkten Ebene gewechselt</translation>
+    </message>
+    <message>
+        <source>the tool is changed where it stands, and not up</source>
+        <translation>das Werkzeug wird gewechselt, wo es steht, und nicht oben</translation>
+    </message>
+    <message>
+        <source>the tool is led by its tip from a place that is not known</source>
+        <translation>das Werkzeug wird an der Spitze von einem unbekannten Ort aus geführt</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it, or a tool that tilts (finish5)</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus und {2} der Fläche um bis zu {3} stehen, am meisten bei {4}: {5} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus: {2} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
@@ -6658,6 +7526,14 @@
     <message>
         <source>the tool leaves nothing that is thicker than that</source>
         <translation>das Werkzeug lässt nichts, was dicker ist als das</translation>
+    </message>
+    <message>
+        <source>the tool moves aside, and nothing says how high it is</source>
+        <translation>das Werkzeug fährt zur Seite, und nichts sagt, wie hoch es ist</translation>
+    </message>
+    <message>
+        <source>the tool moves in a tilted plane, and its length is not called</source>
+        <translation>das Werkzeug bewegt sich in einer geschwenkten Ebene, und seine Länge ist nicht aufgerufen</translation>
     </message>
     <message>
         <source>the tool number {1} occurs twice</source>
@@ -6740,6 +7616,10 @@
         <translation>der Wert {1} ist zu groß</translation>
     </message>
     <message>
+        <source>the vector has no words</source>
+        <translation>der Vektor hat keine Wörter</translation>
+    </message>
+    <message>
         <source>the verification</source>
         <translation>die Prüfung</translation>
     </message>
@@ -6754,6 +7634,10 @@
     <message>
         <source>the version of the project file is missing</source>
         <translation>die Version der Projektdatei fehlt</translation>
+    </message>
+    <message>
+        <source>the version, 1</source>
+        <translation>die Version, 1</translation>
     </message>
     <message>
         <source>the vertex number</source>
@@ -6774,6 +7658,18 @@
     <message>
         <source>the word endsolid is missing and the mesh has {1} open edges</source>
         <translation>das Wort endsolid fehlt, und das Netz hat {1} offene Kanten</translation>
+    </message>
+    <message>
+        <source>the word {1} is not read: it changes the path</source>
+        <translation>das Wort {1} wird nicht gelesen: es ändert den Weg</translation>
+    </message>
+    <message>
+        <source>the work coordinate system is {1}, and the part stands in {2}</source>
+        <translation>das Werkstückkoordinatensystem ist {1}, und das Teil steht in {2}</translation>
+    </message>
+    <message>
+        <source>the work coordinate system is {1}, and the project names none</source>
+        <translation>das Werkstückkoordinatensystem ist {1}, und das Projekt nennt keines</translation>
     </message>
     <message>
         <source>the {1} has no file</source>
@@ -6808,8 +7704,28 @@
         <translation>ihre Ebene geht durch die Mitte des Teils: es gibt keine Seite zum Auflegen</translation>
     </message>
     <message>
+        <source>there are more than two rotary axes</source>
+        <translation>es gibt mehr als zwei Drehachsen</translation>
+    </message>
+    <message>
+        <source>there are statements after FINI</source>
+        <translation>nach FINI stehen Anweisungen</translation>
+    </message>
+    <message>
         <source>there are too many brackets</source>
         <translation>es sind zu viele Klammern</translation>
+    </message>
+    <message>
+        <source>there are too many lines</source>
+        <translation>es sind zu viele Zeilen</translation>
+    </message>
+    <message>
+        <source>there are two axes {1}</source>
+        <translation>es gibt zwei Achsen {1}</translation>
+    </message>
+    <message>
+        <source>there is motion after END</source>
+        <translation>nach END stehen Bewegungen</translation>
     </message>
     <message>
         <source>there is no '='</source>
@@ -6828,12 +7744,20 @@
         <translation>es gibt keinen Berührpunkt {1}: die Operation hat {2}</translation>
     </message>
     <message>
+        <source>there is no feed</source>
+        <translation>es gibt keinen Vorschub</translation>
+    </message>
+    <message>
         <source>there is no file {1}</source>
         <translation>es gibt keine Datei {1}</translation>
     </message>
     <message>
         <source>there is no key before '='</source>
         <translation>vor '=' steht kein Schlüssel</translation>
+    </message>
+    <message>
+        <source>there is no motion at feed in the file</source>
+        <translation>in der Datei ist keine Bewegung im Vorschub</translation>
     </message>
     <message>
         <source>there is no motion that cuts</source>
@@ -6880,6 +7804,18 @@
         <translation>es gibt kein Rohteil</translation>
     </message>
     <message>
+        <source>there is no such end</source>
+        <translation>ein solches Ende gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such kind</source>
+        <translation>eine solche Art gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such plane</source>
+        <translation>eine solche Ebene gibt es nicht</translation>
+    </message>
+    <message>
         <source>there is no such program</source>
         <translation>es gibt kein solches Programm</translation>
     </message>
@@ -6888,12 +7824,20 @@
         <translation>es gibt kein solches Programm{1}</translation>
     </message>
     <message>
+        <source>there is no such version</source>
+        <translation>eine solche Version gibt es nicht</translation>
+    </message>
+    <message>
         <source>there is no tool {1}</source>
         <translation>es gibt kein Werkzeug {1}</translation>
     </message>
     <message>
         <source>there is no verdict in them</source>
         <translation>darin ist kein Prüfergebnis</translation>
+    </message>
+    <message>
+        <source>there is no word {{1}}</source>
+        <translation>es gibt kein Wort {{1}}</translation>
     </message>
     <message>
         <source>there is no {1}</source>
@@ -6928,6 +7872,26 @@
         <translation>Verdicken: wie weit hinter der Fläche ihre Rückseite liegt; unter 0 davor.</translation>
     </message>
     <message>
+        <source>this is no code</source>
+        <translation>das ist kein Code</translation>
+    </message>
+    <message>
+        <source>this is no code, or it has another meaning</source>
+        <translation>das ist kein Code, oder er hat eine andere Bedeutung</translation>
+    </message>
+    <message>
+        <source>this is no extension of a program</source>
+        <translation>das ist keine Endung eines Programms</translation>
+    </message>
+    <message>
+        <source>this is no letter</source>
+        <translation>das ist kein Buchstabe</translation>
+    </message>
+    <message>
+        <source>this is no other kind of comment</source>
+        <translation>das ist keine andere Art von Kommentar</translation>
+    </message>
+    <message>
         <source>thousands or decimals? export the part again with decimal points</source>
         <translation>Tausender oder Dezimalen? das Teil mit Dezimalpunkten neu exportieren</translation>
     </message>
@@ -6938,6 +7902,10 @@
     <message>
         <source>tilt the tool less</source>
         <translation>das Werkzeug weniger neigen</translation>
+    </message>
+    <message>
+        <source>tilted planes are for controls that know the kinematics</source>
+        <translation>geschwenkte Ebenen sind für Steuerungen, die die Kinematik kennen</translation>
     </message>
     <message>
         <source>tip</source>
@@ -7036,12 +8004,20 @@
         <translation>Wenden</translation>
     </message>
     <message>
+        <source>turn it in a block of its own</source>
+        <translation>sie in einem eigenen Satz drehen</translation>
+    </message>
+    <message>
         <source>turn the part</source>
         <translation>das Teil drehen</translation>
     </message>
     <message>
         <source>turns by half a turn in one motion</source>
         <translation>dreht sich in einer Bewegung um eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>two kinds of motion in one block</source>
+        <translation>zwei Arten von Bewegung in einem Satz</translation>
     </message>
     <message>
         <source>two measures are multiplied</source>
@@ -7054,6 +8030,10 @@
     <message>
         <source>two programs would have the name '{1}'</source>
         <translation>zwei Programme hätten den Namen '{1}'</translation>
+    </message>
+    <message>
+        <source>two work coordinate systems in '{1}'</source>
+        <translation>zwei Werkstückkoordinatensysteme in '{1}'</translation>
     </message>
     <message>
         <source>unexpected end of input</source>
@@ -7130,6 +8110,10 @@
     <message>
         <source>up to {1} stays above the allowance; the tolerance is {2}</source>
         <translation>bis zu {1} bleibt über dem Aufmaß; die Toleranz ist {2}</translation>
+    </message>
+    <message>
+        <source>update Facetmill</source>
+        <translation>Facetmill aktualisieren</translation>
     </message>
     <message>
         <source>use .fmtools, .fctb, .fctl, .fcholder, .json, .tools or .tbl</source>
@@ -7244,6 +8228,10 @@
         <translation>Kleinbuchstaben und _ verwenden</translation>
     </message>
     <message>
+        <source>value {1} of {2}, '{3}', is not a number</source>
+        <translation>Wert {1} von {2}, '{3}', ist keine Zahl</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>Eckpunkte</translation>
     </message>
@@ -7262,6 +8250,10 @@
     <message>
         <source>was made without a tool</source>
         <translation>wurde ohne Werkzeug gemacht</translation>
+    </message>
+    <message>
+        <source>what begins with ( ends with ), what begins with ; with the line</source>
+        <translation>was mit ( beginnt, endet mit ), was mit ; beginnt, mit der Zeile</translation>
     </message>
     <message>
         <source>what holds the stock from below</source>
@@ -7328,48 +8320,252 @@
         <translation>"mm" oder "in" schreiben</translation>
     </message>
     <message>
+        <source>write "planes": ["xy"] and "helix": false</source>
+        <translation>"planes": ["xy"] und "helix": false schreiben</translation>
+    </message>
+    <message>
+        <source>write '%' first and last alone</source>
+        <translation>'%' nur zuerst und zuletzt schreiben</translation>
+    </message>
+    <message>
+        <source>write '{1}.'</source>
+        <translation>'{1}.' schreiben</translation>
+    </message>
+    <message>
+        <source>write 1 or -1</source>
+        <translation>1 oder -1 schreiben</translation>
+    </message>
+    <message>
+        <source>write 1: the version of the file</source>
+        <translation>1 schreiben: die Version der Datei</translation>
+    </message>
+    <message>
+        <source>write ASCII</source>
+        <translation>ASCII schreiben</translation>
+    </message>
+    <message>
+        <source>write CUTTER/d,r,e,f,alpha,beta,h</source>
+        <translation>CUTTER/d,r,e,f,alpha,beta,h schreiben</translation>
+    </message>
+    <message>
+        <source>write GODLTA/dx,dy,dz or GODLTA/d</source>
+        <translation>GODLTA/dx,dy,dz oder GODLTA/d schreiben</translation>
+    </message>
+    <message>
         <source>write NAME.key=value, as in Finish.tolerance=0.01</source>
         <translation>NAME.schlüssel=wert schreiben, wie Finish.tolerance=0.01</translation>
+    </message>
+    <message>
+        <source>write TLAXIS/i,j,k</source>
+        <translation>TLAXIS/i,j,k schreiben</translation>
+    </message>
+    <message>
+        <source>write UNITS/MM or UNITS/INCHES</source>
+        <translation>UNITS/MM oder UNITS/INCHES schreiben</translation>
+    </message>
+    <message>
+        <source>write WORD/values</source>
+        <translation>WORT/Werte schreiben</translation>
+    </message>
+    <message>
+        <source>write [lowest, highest], or leave it out for no limit</source>
+        <translation>[niedrigste, höchste] schreiben, oder weglassen für keine Grenze</translation>
+    </message>
+    <message>
+        <source>write a dot and letters, as .ngc</source>
+        <translation>einen Punkt und Buchstaben schreiben, wie .ngc</translation>
     </message>
     <message>
         <source>write a name without slashes</source>
         <translation>einen Namen ohne Schrägstriche schreiben</translation>
     </message>
     <message>
+        <source>write a number above 0, or leave it out</source>
+        <translation>eine Zahl über 0 schreiben oder weglassen</translation>
+    </message>
+    <message>
         <source>write a number of ordinary size</source>
         <translation>eine Zahl üblicher Größe schreiben</translation>
+    </message>
+    <message>
+        <source>write a point on the rotation axis</source>
+        <translation>einen Punkt auf der Drehachse schreiben</translation>
+    </message>
+    <message>
+        <source>write a straight motion</source>
+        <translation>eine gerade Bewegung schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>eine ganze Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write all of its lines</source>
+        <translation>alle seine Zeilen schreiben</translation>
+    </message>
+    <message>
+        <source>write both in one line</source>
+        <translation>beide in eine Zeile schreiben</translation>
+    </message>
+    <message>
+        <source>write decimal numbers</source>
+        <translation>Dezimalzahlen schreiben</translation>
+    </message>
+    <message>
+        <source>write decimal numbers; formulas and variables are not read</source>
+        <translation>Dezimalzahlen schreiben; Formeln und Variablen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>write it</source>
+        <translation>es schreiben</translation>
+    </message>
+    <message>
+        <source>write it as G1, G43.4 or TRAORI</source>
+        <translation>wie G1, G43.4 oder TRAORI schreiben</translation>
+    </message>
+    <message>
+        <source>write it as G54</source>
+        <translation>wie G54 schreiben</translation>
     </message>
     <message>
         <source>write it on one line without them</source>
         <translation>ihn ohne sie in einer Zeile schreiben</translation>
     </message>
     <message>
+        <source>write it once</source>
+        <translation>es einmal schreiben</translation>
+    </message>
+    <message>
+        <source>write it with the dot: .ngc</source>
+        <translation>mit dem Punkt schreiben: .ngc</translation>
+    </message>
+    <message>
+        <source>write its place behind it</source>
+        <translation>ihren Ort dahinter schreiben</translation>
+    </message>
+    <message>
+        <source>write letters with decimal numbers</source>
+        <translation>Buchstaben mit Dezimalzahlen schreiben</translation>
+    </message>
+    <message>
+        <source>write letters, or letters and digits that end with '='</source>
+        <translation>Buchstaben schreiben, oder Buchstaben und Ziffern, die mit '=' enden</translation>
+    </message>
+    <message>
+        <source>write lf or crlf</source>
+        <translation>lf oder crlf schreiben</translation>
+    </message>
+    <message>
         <source>write numbers and ranges in ascending order, as 0-57, 60</source>
         <translation>Nummern und Bereiche aufsteigend schreiben, wie 0-57, 60</translation>
+    </message>
+    <message>
+        <source>write one ( and one )</source>
+        <translation>eine ( und eine ) schreiben</translation>
+    </message>
+    <message>
+        <source>write one letter, or nothing</source>
+        <translation>einen Buchstaben schreiben oder nichts</translation>
+    </message>
+    <message>
+        <source>write one of them</source>
+        <translation>eines davon schreiben</translation>
+    </message>
+    <message>
+        <source>write one of: {1}</source>
+        <translation>eines davon schreiben: {1}</translation>
     </message>
     <message>
         <source>write one program for each operation: "programs": "each"</source>
         <translation>je Operation ein Programm schreiben: "programs": "each"</translation>
     </message>
     <message>
-        <source>write smooth or flat</source>
-        <translation>schreiben Sie glatt oder flach</translation>
+        <source>write some of: {1}</source>
+        <translation>einige davon schreiben: {1}</translation>
+    </message>
+    <message>
+        <source>write straight motions</source>
+        <translation>gerade Bewegungen schreiben</translation>
+    </message>
+    <message>
+        <source>write the direction of the rotation axis, as [1, 0, 0]</source>
+        <translation>die Richtung der Drehachse schreiben, wie [1, 0, 0]</translation>
+    </message>
+    <message>
+        <source>write the letters: { "x": "X", ... }</source>
+        <translation>die Buchstaben schreiben: { "x": "X", ... }</translation>
+    </message>
+    <message>
+        <source>write the lines</source>
+        <translation>die Zeilen schreiben</translation>
+    </message>
+    <message>
+        <source>write the lower limit first</source>
+        <translation>die untere Grenze zuerst schreiben</translation>
+    </message>
+    <message>
+        <source>write the other one of ( and ;, or leave it out</source>
+        <translation>das andere von ( und ; schreiben oder weglassen</translation>
     </message>
     <message>
         <source>write the part in pieces</source>
         <translation>das Teil in Stücken schreiben</translation>
     </message>
     <message>
+        <source>write the tool's number before it</source>
+        <translation>davor die Nummer des Werkzeugs schreiben</translation>
+    </message>
+    <message>
         <source>write to another file or folder</source>
         <translation>in eine andere Datei oder einen anderen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>write what the codes mean: { "G0": "rapid", ... }</source>
+        <translation>schreiben, was die Codes bedeuten: { "G0": "rapid", ... }</translation>
+    </message>
+    <message>
+        <source>write where the middle of the part's bottom stands</source>
+        <translation>schreiben, wo die Mitte des Bodens des Teils steht</translation>
     </message>
     <message>
         <source>write {1}</source>
         <translation>{1} schreiben</translation>
     </message>
     <message>
+        <source>write {1} and the tool's number</source>
+        <translation>{1} und die Nummer des Werkzeugs schreiben</translation>
+    </message>
+    <message>
+        <source>write {1} at the start</source>
+        <translation>{1} an den Anfang schreiben</translation>
+    </message>
+    <message>
+        <source>write {1} before it</source>
+        <translation>{1} davor schreiben</translation>
+    </message>
+    <message>
         <source>write {1} or more</source>
         <translation>{1} oder mehr schreiben</translation>
+    </message>
+    <message>
+        <source>write {1} or {2}</source>
+        <translation>{1} oder {2} schreiben</translation>
+    </message>
+    <message>
+        <source>write {1} or {2} at the start</source>
+        <translation>{1} oder {2} an den Anfang schreiben</translation>
+    </message>
+    <message>
+        <source>write {1}/number</source>
+        <translation>{1}/Nummer schreiben</translation>
+    </message>
+    <message>
+        <source>write {1}/x,y,z or {2}/x,y,z,i,j,k</source>
+        <translation>{1}/x,y,z oder {2}/x,y,z,i,j,k schreiben</translation>
+    </message>
+    <message>
+        <source>write {word}</source>
+        <translation>{word} schreiben</translation>
     </message>
     <message>
         <source>x</source>
@@ -7382,6 +8578,10 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>Nullpunkt</translation>
     </message>
     <message>
         <source>zigzag</source>
@@ -7416,6 +8616,14 @@
         <translation>{1} % der Streifen bleiben stehen{2}, etwa bei {3}</translation>
     </message>
     <message>
+        <source>{1} % of {2}</source>
+        <translation>{1} % von {2}</translation>
+    </message>
+    <message>
+        <source>{1} (line {2})</source>
+        <translation>{1} (Zeile {2})</translation>
+    </message>
+    <message>
         <source>{1} ({2} of {3})</source>
         <translation>{1} ({2} von {3})</translation>
     </message>
@@ -7428,24 +8636,28 @@
         <translation>{1} und dort endet die Datei</translation>
     </message>
     <message>
+        <source>{1} and {2} more</source>
+        <translation>{1} und {2} weitere</translation>
+    </message>
+    <message>
+        <source>{1} and {2} to avoid</source>
+        <translation>{1} und {2}, zu meiden</translation>
+    </message>
+    <message>
         <source>{1} are switched off and not cut</source>
         <translation>{1} sind ausgeschaltet und werden nicht gefräst</translation>
     </message>
     <message>
-        <source>{1} collision, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>{1} Kollision, die tiefste {2} im Eilgang{3} ({4})</translation>
+        <source>{1} by {2} ({3})</source>
+        <translation>{1} durch {2} ({3})</translation>
     </message>
     <message>
-        <source>{1} collision, the deepest {2} by the {3} ({4})</source>
-        <translation>{1} Kollision, die tiefste {2} durch {3} ({4})</translation>
+        <source>{1} cannot turn about {2}</source>
+        <translation>{1} kann nicht um {2} drehen</translation>
     </message>
     <message>
-        <source>{1} collisions, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>{1} Kollisionen, die tiefste {2} im Eilgang{3} ({4})</translation>
-    </message>
-    <message>
-        <source>{1} collisions, the deepest {2} by the {3} ({4})</source>
-        <translation>{1} Kollisionen, die tiefste {2} durch {3} ({4})</translation>
+        <source>{1} collisions, the deepest {2}</source>
+        <translation>{1} Kollisionen, die tiefste {2}</translation>
     </message>
     <message>
         <source>{1} contact point was left by operations before</source>
@@ -7508,6 +8720,10 @@
         <translation>{1} sagte {2} s lang nichts und wurde angehalten</translation>
     </message>
     <message>
+        <source>{1} has {2} values</source>
+        <translation>{1} hat {2} Werte</translation>
+    </message>
+    <message>
         <source>{1} inclines the tool, and the machine '{2}' has no rotary axis</source>
         <translation>{1} neigt das Werkzeug, und die Maschine '{2}' hat keine Drehachse</translation>
     </message>
@@ -7524,12 +8740,20 @@
         <translation>{1} ist keine Zahl</translation>
     </message>
     <message>
+        <source>{1} is no sign</source>
+        <translation>{1} ist kein Vorzeichen</translation>
+    </message>
+    <message>
         <source>{1} is no whole number</source>
         <translation>{1} ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>{1} is not a finite number</source>
         <translation>{1} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{1} is not above 0, or too large</source>
+        <translation>{1} ist nicht über 0 oder zu groß</translation>
     </message>
     <message>
         <source>{1} is not carried</source>
@@ -7548,12 +8772,20 @@
         <translation>{1} ist {2}, keine ganze Zahl</translation>
     </message>
     <message>
-        <source>{1} lines per turn leave </source>
-        <translation>{1} Linien je Umdrehung lassen </translation>
+        <source>{1} lines per turn leave cusps of {2}; the tolerance allows {3}</source>
+        <translation>{1} Linien je Umdrehung lassen Rillen von {2}; die Toleranz erlaubt {3}</translation>
+    </message>
+    <message>
+        <source>{1} lines per turn leave places uncut; the tolerance allows {2}</source>
+        <translation>{1} Linien je Umdrehung lassen Stellen stehen; die Toleranz erlaubt {2}</translation>
     </message>
     <message>
         <source>{1} makes {2} rays through the stock, more than {3}</source>
         <translation>{1} ergibt {2} Strahlen durch das Rohteil, mehr als {3}</translation>
+    </message>
+    <message>
+        <source>{1} makes {2} turns in one block, and {3} are the most</source>
+        <translation>{1} macht {2} Umdrehungen in einem Satz, und {3} sind das Höchste</translation>
     </message>
     <message>
         <source>{1} min</source>
@@ -7578,6 +8810,10 @@
     <message>
         <source>{1} more than {2} drive planes</source>
         <translation>{1} mehr als {2} Führungsebenen</translation>
+    </message>
+    <message>
+        <source>{1} names no tool</source>
+        <translation>{1} nennt kein Werkzeug</translation>
     </message>
     <message>
         <source>{1} needs about {2} GB for the stock, more than {3} GB</source>
@@ -7632,6 +8868,10 @@
         <translation>{1} von {2} Führungsebenen kreuzen Stellen, wo kein Bahnabstand die Toleranz einhält</translation>
     </message>
     <message>
+        <source>{1} or {2}</source>
+        <translation>{1} oder {2}</translation>
+    </message>
+    <message>
         <source>{1} pieces of the stock, up to {2} long, come off, the first at {3}.</source>
         <translation>{1} Stücke des Rohteils, bis zu {2} lang, lösen sich, das erste bei {3}.</translation>
     </message>
@@ -7680,6 +8920,14 @@
         <translation>{1} bis {2}</translation>
     </message>
     <message>
+        <source>{1} turns the part about the axis of the tool, which nothing inclines</source>
+        <translation>{1} dreht das Teil um die Achse des Werkzeugs, die nichts neigt</translation>
+    </message>
+    <message>
+        <source>{1} turns the tool about its own axis</source>
+        <translation>{1} dreht das Werkzeug um seine eigene Achse</translation>
+    </message>
+    <message>
         <source>{1} values or colours do not fit {2} vertices</source>
         <translation>{1} Werte oder Farben passen nicht zu {2} Eckpunkten</translation>
     </message>
@@ -7692,8 +8940,20 @@
         <translation>{1}: wäre {2} der Bahnen im Weg, die wegfallen</translation>
     </message>
     <message>
+        <source>{1} would stand at {2}, and its travel is {3} to {4}</source>
+        <translation>{1} stünde auf {2}, und der Verfahrweg ist {3} bis {4}</translation>
+    </message>
+    <message>
         <source>{1} {2} is not possible</source>
         <translation>{1} {2} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>{1} · no tool yet</source>
+        <translation>{1} · noch kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>{1} · tool {2}</source>
+        <translation>{1} · Werkzeug {2}</translation>
     </message>
     <message>
         <source>{1} × {2} pixels</source>
@@ -7712,12 +8972,20 @@
         <translation>{1}, Zeile {2}</translation>
     </message>
     <message>
+        <source>{1}, operation {2}</source>
+        <translation>{1}, Operation {2}</translation>
+    </message>
+    <message>
         <source>{1}, or raise the lead limit</source>
         <translation>{1}, oder die Grenze des Anstellwinkels erhöhen</translation>
     </message>
     <message>
         <source>{1}, pixel {2}, {3}</source>
         <translation>{1}, Pixel {2}, {3}</translation>
+    </message>
+    <message>
+        <source>{1}, tool {2}</source>
+        <translation>{1}, Werkzeug {2}</translation>
     </message>
     <message>
         <source>{1}, vertex {2}</source>
@@ -7730,6 +8998,10 @@
     <message>
         <source>{1}, {2} to {3} along the axis</source>
         <translation>{1}, {2} bis {3} entlang der Achse</translation>
+    </message>
+    <message>
+        <source>{1}/{2} changes the path</source>
+        <translation>{1}/{2} ändert den Weg</translation>
     </message>
     <message>
         <source>{1}: CUTTER</source>
@@ -7766,10 +9038,6 @@
     <message>
         <source>{1}: {2} of passes{3}</source>
         <translation>{1}: {2} der Bahnen{3}</translation>
-    </message>
-    <message>
-        <source>{1}: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>{1}: {2} käme hin, oder ein Werkzeug, das sich neigt (finish5)</translation>
     </message>
     <message>
         <source>{1}: {2} {3}² ({4} of the surface), where it stays up to {5} away, at {6}: {7}</source>
@@ -7882,13 +9150,13 @@
         <source>%1 can be read in two ways</source>
         <translation>%1 lässt sich auf zwei Arten lesen</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 collisions</source>
-        <translation>%1 Kollisionen</translation>
+        <translation><numerusform>%1 Kollision</numerusform><numerusform>%1 Kollisionen</numerusform></translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 corners</source>
-        <translation>%1 Ecken</translation>
+        <translation><numerusform>%1 Ecke</numerusform><numerusform>%1 Ecken</numerusform></translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7910,9 +9178,9 @@
         <source>%1 kept as “%2”</source>
         <translation>%1 aufbewahrt als „%2“</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 layers</source>
-        <translation>%1 Ebenen</translation>
+        <translation><numerusform>%1 Ebene</numerusform><numerusform>%1 Ebenen</numerusform></translation>
     </message>
     <message>
         <source>%1 long</source>
@@ -7958,9 +9226,9 @@
         <source>%1 programs (*%2);;All files (*)</source>
         <translation>%1-Programme (*%2);;Alle Dateien (*)</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 regions</source>
-        <translation>%1 Bereiche</translation>
+        <translation><numerusform>%1 Bereich</numerusform><numerusform>%1 Bereiche</numerusform></translation>
     </message>
     <message>
         <source>%1 s left</source>
@@ -7974,9 +9242,9 @@
         <source>%1 setups as one job, as posted, %2 blocks</source>
         <translation>%1 Aufspannungen als ein Auftrag, wie ausgegeben, %2 Sätze</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 smaller ones</source>
-        <translation>%1 kleinere</translation>
+        <translation><numerusform>%1 kleineres</numerusform><numerusform>%1 kleinere</numerusform></translation>
     </message>
     <message>
         <source>%1 strips, all of them cut</source>
@@ -7990,9 +9258,9 @@
         <source>%1 to %2: %3</source>
         <translation>%1 nach %2: %3</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 tools</source>
-        <translation>%1 Werkzeuge</translation>
+        <translation><numerusform>%1 Werkzeug</numerusform><numerusform>%1 Werkzeuge</numerusform></translation>
     </message>
     <message>
         <source>%1 wide, %2 long</source>
@@ -8006,9 +9274,9 @@
         <source>%1, %2 % of the surface</source>
         <translation>%1, %2 % der Fläche</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1, %2 passes</source>
-        <translation>%1, %2 Bahnen</translation>
+        <translation><numerusform>%1, %2 Bahn</numerusform><numerusform>%1, %2 Bahnen</numerusform></translation>
     </message>
     <message>
         <source>%1, or a Facetmill project</source>
@@ -8343,28 +9611,12 @@
         <translation>0° ist senkrecht, 90° waagrecht, 180° von unten</translation>
     </message>
     <message>
-        <source>1 collision</source>
-        <translation>1 Kollision</translation>
-    </message>
-    <message>
-        <source>1 layer</source>
-        <translation>1 Ebene</translation>
-    </message>
-    <message>
-        <source>1 region</source>
-        <translation>1 Bereich</translation>
-    </message>
-    <message>
         <source>1 strip, cut</source>
         <translation>1 Streifen, gefräst</translation>
     </message>
     <message>
         <source>1 strip, switched off</source>
         <translation>1 Streifen, ausgeschaltet</translation>
-    </message>
-    <message>
-        <source>1 tool</source>
-        <translation>1 Werkzeug</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -9043,6 +10295,10 @@
         <translation>Strg+Z, Strg+Umschalt+Z</translation>
     </message>
     <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
         <source>Cut a model of the stock with all operations and compare it with the part (F6)</source>
         <translation>Ein Modell des Rohteils mit allen Operationen fräsen und mit dem Teil vergleichen (F6)</translation>
     </message>
@@ -9164,7 +10420,8 @@
     </message>
     <message>
         <source>Down</source>
-        <translation>Nach unten</translation>
+        <translation>Nach
+unten</translation>
     </message>
     <message>
         <source>Drag a dot on a boundary in the view to move it.</source>
@@ -9435,6 +10692,10 @@
         <translation>F7 … F10</translation>
     </message>
     <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
         <source>Faces of the file</source>
         <translation>Flächen der Datei</translation>
     </message>
@@ -9504,7 +10765,8 @@
     </message>
     <message>
         <source>Falls at</source>
-        <translation>Kippt bei</translation>
+        <translation>Kippt
+bei</translation>
     </message>
     <message>
         <source>Feed and spindle as the operation’s tool has them for a material; of roughing depth and step-over, too</source>
@@ -9955,8 +11217,8 @@
     <message>
         <source>Lies,
 %1</source>
-        <translation>Aufliegend,
-%1</translation>
+        <translation>Liegt
+auf, %1</translation>
     </message>
     <message>
         <source>Links</source>
@@ -10587,6 +11849,10 @@
         <translation>Malen, was der Ring berührt</translation>
     </message>
     <message>
+        <source>Painted</source>
+        <translation>Gemalt</translation>
+    </message>
+    <message>
         <source>Painted facets</source>
         <translation>Gemalte Facetten</translation>
     </message>
@@ -10754,9 +12020,9 @@
         <source>Planned in</source>
         <translation>Geplant in</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</source>
-        <translation>„%1“ in %2 geplant: %3 Bahnen, Schnittlänge %4, Bearbeitungszeit %5.</translation>
+        <translation><numerusform>„%1“ in %2 geplant: %3 Bahn, Schnittlänge %4, Bearbeitungszeit %5.</numerusform><numerusform>„%1“ in %2 geplant: %3 Bahnen, Schnittlänge %4, Bearbeitungszeit %5.</numerusform></translation>
     </message>
     <message>
         <source>Planned: </source>
@@ -10806,13 +12072,9 @@
         <source>Press Plan (F5) to plan it.</source>
         <translation>Mit Planen (F5) planen.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Preview: %1 layers</source>
-        <translation>Vorschau: %1 Ebenen</translation>
-    </message>
-    <message>
-        <source>Preview: 1 layer</source>
-        <translation>Vorschau: 1 Ebene</translation>
+        <translation><numerusform>Vorschau: %1 Ebene</numerusform><numerusform>Vorschau: %1 Ebenen</numerusform></translation>
     </message>
     <message>
         <source>Previous tool at the picked point</source>
@@ -11019,6 +12281,10 @@
         <translation>Auflösung</translation>
     </message>
     <message>
+        <source>Rest</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
         <source>Rest material</source>
         <translation>Restmaterial</translation>
     </message>
@@ -11114,13 +12380,9 @@
         <source>Scan room</source>
         <translation>Scan-Raum</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Scan room: %1 steps…</source>
-        <translation>Scan-Raum: %1 Schritte…</translation>
-    </message>
-    <message>
-        <source>Scan room: 1 step…</source>
-        <translation>Scan-Raum: 1 Schritt…</translation>
+        <translation><numerusform>Scan-Raum: %1 Schritt…</numerusform><numerusform>Scan-Raum: %1 Schritte…</numerusform></translation>
     </message>
     <message>
         <source>Scan room…</source>
@@ -11257,6 +12519,10 @@
     <message>
         <source>Side feed</source>
         <translation>Seitenvorschub</translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation>Umriss</translation>
     </message>
     <message>
         <source>Silhouette of the part</source>
@@ -12347,7 +13613,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>%1 geschrieben.</translation>
     </message>
     <message numerus="yes">
-        <source>Wrote %n file(s) into %1.</source>
+        <source>Wrote %n files into %1.</source>
         <translation><numerusform>%n Datei in %1 geschrieben.</numerusform><numerusform>%n Dateien in %1 geschrieben.</numerusform></translation>
     </message>
     <message>

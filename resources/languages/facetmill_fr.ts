@@ -8,22 +8,6 @@
         <translation> (environ {1} en tout)</translation>
     </message>
     <message>
-        <source> and a stick-out of {1} below the holder instead of {2}</source>
-        <translation> et une sortie de {1} sous le porte-outil au lieu de {2}</translation>
-    </message>
-    <message>
-        <source> and {1} more</source>
-        <translation> et {1} de plus</translation>
-    </message>
-    <message>
-        <source> and {1} of the surface stays uncut by up to {2}, most at {3}</source>
-        <translation> et {1} de la surface restent non usinés de {2} au plus, le plus à {3}</translation>
-    </message>
-    <message>
-        <source> and {1} to avoid</source>
-        <translation> et {1} à éviter</translation>
-    </message>
-    <message>
         <source> but {1}</source>
         <translation> mais {1}</translation>
     </message>
@@ -44,16 +28,8 @@
         <translation> de '{1}'</translation>
     </message>
     <message>
-        <source> or {1}</source>
-        <translation> ou {1}</translation>
-    </message>
-    <message>
-        <source> · no tool yet</source>
-        <translation> · pas encore d'outil</translation>
-    </message>
-    <message>
-        <source> · tool {1}</source>
-        <translation> · outil {1}</translation>
+        <source> or "{1}"</source>
+        <translation> ou "{1}"</translation>
     </message>
     <message>
         <source>'solid' expected</source>
@@ -64,12 +40,28 @@
         <translation>'{1}' commence dans la pièce.</translation>
     </message>
     <message>
+        <source>'{1}' cannot be read</source>
+        <translation>'{1}' ne peut pas être lu</translation>
+    </message>
+    <message>
         <source>'{1}' cannot change tools, and the operations have several</source>
         <translation>'{1}' ne peut changer d'outil, et les opérations en ont plusieurs</translation>
     </message>
     <message>
+        <source>'{1}' defines geometry or a variable</source>
+        <translation>'{1}' définit de la géométrie ou une variable</translation>
+    </message>
+    <message>
         <source>'{1}' has a comma</source>
         <translation>'{1}' a une virgule</translation>
+    </message>
+    <message>
+        <source>'{1}' has no decimal point, and the control would count its last digits</source>
+        <translation>'{1}' n'a pas de point décimal, et la commande compterait ses derniers chiffres</translation>
+    </message>
+    <message>
+        <source>'{1}' has two meanings</source>
+        <translation>'{1}' a deux significations</translation>
     </message>
     <message>
         <source>'{1}' is a length, the field has none</source>
@@ -80,12 +72,20 @@
         <translation>'{1}' est en trop</translation>
     </message>
     <message>
+        <source>'{1}' is no code of this control</source>
+        <translation>'{1}' n'est pas un code de cette commande</translation>
+    </message>
+    <message>
         <source>'{1}' is no format of a tool library</source>
         <translation>'{1}' n'est pas un format de bibliothèque d'outils</translation>
     </message>
     <message>
         <source>'{1}' is no letter and number</source>
         <translation>'{1}' n'est pas une lettre et un nombre</translation>
+    </message>
+    <message>
+        <source>'{1}' is no meaning of a code</source>
+        <translation>'{1}' n'est pas la signification d'un code</translation>
     </message>
     <message>
         <source>'{1}' is no name</source>
@@ -104,6 +104,18 @@
         <translation>'{1}' n'est pas une unité que ce champ peut avoir</translation>
     </message>
     <message>
+        <source>'{1}' is no word</source>
+        <translation>'{1}' n'est pas un mot</translation>
+    </message>
+    <message>
+        <source>'{1}' is no word of this control</source>
+        <translation>'{1}' n'est pas un mot de cette commande</translation>
+    </message>
+    <message>
+        <source>'{1}' is no word, or has a meaning</source>
+        <translation>'{1}' n'est pas un mot, ou a une signification</translation>
+    </message>
+    <message>
         <source>'{1}' is not a finite number</source>
         <translation>'{1}' n'est pas un nombre fini</translation>
     </message>
@@ -112,8 +124,20 @@
         <translation>'{1}' n'est pas un nombre</translation>
     </message>
     <message>
+        <source>'{1}' is not a statement</source>
+        <translation>'{1}' n'est pas une instruction</translation>
+    </message>
+    <message>
+        <source>'{1}' is not a tool number</source>
+        <translation>'{1}' n'est pas un numéro d'outil</translation>
+    </message>
+    <message>
         <source>'{1}' is not in the packed file</source>
         <translation>'{1}' n'est pas dans le fichier compressé</translation>
+    </message>
+    <message>
+        <source>'{1}' is not known</source>
+        <translation>'{1}' n'est pas connu</translation>
     </message>
     <message>
         <source>'{1}' is out of place</source>
@@ -132,8 +156,16 @@
         <translation>'{1}' ne nomme pas d'outil (LOADTL) : sa fraise est celle de l'outil {2}, sa queue et son porte-outil ont donc été jugés.</translation>
     </message>
     <message>
+        <source>'{1}' occurs twice</source>
+        <translation>'{1}' apparaît deux fois</translation>
+    </message>
+    <message>
         <source>'{1}' stands behind what has a unit already</source>
         <translation>'{1}' suit ce qui a déjà une unité</translation>
+    </message>
+    <message>
+        <source>'{1}' stands where values should</source>
+        <translation>'{1}' est là où des valeurs devraient être</translation>
     </message>
     <message>
         <source>'{1}' was bounded by '{2}', which this setup does not have: it cuts everywhere now</source>
@@ -168,24 +200,12 @@
         <translation>'{1}' : {2} des {3} mouvements en avance sont hors du brut.</translation>
     </message>
     <message>
+        <source>'{1}=' is no word of this control</source>
+        <translation>'{1}=' n'est pas un mot de cette commande</translation>
+    </message>
+    <message>
         <source>, as at {1}, {2}, {3}</source>
         <translation>, comme à {1}, {2}, {3}</translation>
-    </message>
-    <message>
-        <source>, limit {1}</source>
-        <translation>, limite {1}</translation>
-    </message>
-    <message>
-        <source>, operation {1}</source>
-        <translation>, opération {1}</translation>
-    </message>
-    <message>
-        <source>, pass {1}</source>
-        <translation>, passe {1}</translation>
-    </message>
-    <message>
-        <source>, tool {1}</source>
-        <translation>, outil {1}</translation>
     </message>
     <message>
         <source>0 for a sharp corner; half the diameter for a ball end.</source>
@@ -196,40 +216,16 @@
         <translation>0 ou plus et sous 90°</translation>
     </message>
     <message>
+        <source>1 collision, the deepest {1}</source>
+        <translation>1 collision, la plus profonde de {1}</translation>
+    </message>
+    <message>
         <source>: it is no text</source>
         <translation> : ce n'est pas du texte</translation>
     </message>
     <message>
-        <source>; and {1} more</source>
-        <translation>; et {1} de plus</translation>
-    </message>
-    <message>
-        <source>; from setup '{1}': </source>
-        <translation>; du posage '{1}' : </translation>
-    </message>
-    <message>
         <source>; more points are put in where it turns more</source>
         <translation>; des points s'ajoutent où elle tourne davantage</translation>
-    </message>
-    <message>
-        <source>; the tolerance allows </source>
-        <translation>; la tolérance permet </translation>
-    </message>
-    <message>
-        <source>; {1} collision, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>; {1} collision, la plus profonde {2} par un rapide{3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collision, the deepest {2} by the {3} ({4})</source>
-        <translation>; {1} collision, la plus profonde {2} par {3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collisions, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>; {1} collisions, la plus profonde {2} par un rapide{3} ({4})</translation>
-    </message>
-    <message>
-        <source>; {1} collisions, the deepest {2} by the {3} ({4})</source>
-        <translation>; {1} collisions, la plus profonde {2} par {3} ({4})</translation>
     </message>
     <message>
         <source>A car body with four steep concave scoops, 12 × 6 in.</source>
@@ -274,6 +270,10 @@
     <message>
         <source>A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.</source>
         <translation>Un prisme carré de côté 45 mm, 60 mm de long, qui fait un quart de tour autour de l'axe X.</translation>
+    </message>
+    <message>
+        <source>A turns about X, B about Y, C about Z: mend the name or the direction</source>
+        <translation>A tourne autour de X, B de Y, C de Z : corriger le nom ou la direction</translation>
     </message>
     <message>
         <source>Accelerations</source>
@@ -380,8 +380,16 @@
         <translation>Le noir est le haut du relief d'une image et le blanc son fond. Ce qui est transparent reste sur le fond.</translation>
     </message>
     <message>
+        <source>Block</source>
+        <translation>Cale</translation>
+    </message>
+    <message>
         <source>Body shell</source>
         <translation>Carrosserie</translation>
+    </message>
+    <message>
+        <source>Bolt</source>
+        <translation>Vis</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -420,6 +428,14 @@
         <translation>Des octets suivent la fin du maillage ; ils ont été ignorés.</translation>
     </message>
     <message>
+        <source>CUTTER has {1} values</source>
+        <translation>CUTTER a {1} valeurs</translation>
+    </message>
+    <message>
+        <source>CUTTER is not a convex cutter: {1}</source>
+        <translation>CUTTER n'est pas une fraise convexe : {1}</translation>
+    </message>
+    <message>
         <source>Checking passes</source>
         <translation>Contrôle des passes</translation>
     </message>
@@ -454,6 +470,10 @@
     <message>
         <source>Chuck</source>
         <translation>Mandrin</translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation>Bride</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -696,6 +716,10 @@
         <translation>Motif extrudé</translation>
     </message>
     <message>
+        <source>FEDRAT without a value</source>
+        <translation>FEDRAT sans valeur</translation>
+    </message>
+    <message>
         <source>Faces</source>
         <translation>Faces</translation>
     </message>
@@ -846,6 +870,22 @@
     <message>
         <source>Front</source>
         <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Front jaw</source>
+        <translation>Mors avant</translation>
+    </message>
+    <message>
+        <source>GODLTA has no place to start from</source>
+        <translation>GODLTA n'a pas d'endroit d'où partir</translation>
+    </message>
+    <message>
+        <source>GODLTA has {1} values</source>
+        <translation>GODLTA a {1} valeurs</translation>
+    </message>
+    <message>
+        <source>GODLTA leaves the range of coordinates</source>
+        <translation>GODLTA sort de l'étendue des coordonnées</translation>
     </message>
     <message>
         <source>GOTO {1} of '{2}'</source>
@@ -1066,6 +1106,10 @@
     <message>
         <source>Isometric</source>
         <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Its axes and speeds decide the machining time.</source>
+        <translation>Ses axes et ses vitesses décident du temps d'usinage.</translation>
     </message>
     <message>
         <source>Jasra's turned cylinder: Ø40 mm, 25 mm long, about the X axis.</source>
@@ -1320,6 +1364,10 @@
         <translation>Mach3 et Mach4</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
         <source>Machining direction</source>
         <translation>Direction d'usinage</translation>
     </message>
@@ -1544,6 +1592,14 @@
         <translation>De la partie lisse hors du porte-outil.</translation>
     </message>
     <message>
+        <source>Of the setup. Each has its own.</source>
+        <translation>Du posage. Chacun a le sien.</translation>
+    </message>
+    <message>
+        <source>Of the stock in all, X, Y and Z: the part and its margins. Either can be typed; the project keeps the margins.</source>
+        <translation>Du brut en tout, X, Y et Z : la pièce et ses marges. L'un ou l'autre peut être tapé ; le projet garde les marges.</translation>
+    </message>
+    <message>
         <source>Of the work coordinates, from the place that `zero_from` says; from the part's origin a point of the part.</source>
         <translation>Des coordonnées pièce, depuis l'endroit que dit `zero_from` ; depuis l'origine de la pièce un point de la pièce.</translation>
     </message>
@@ -1634,6 +1690,10 @@
     <message>
         <source>Planning passes</source>
         <translation>Planification des passes</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque</translation>
     </message>
     <message>
         <source>Plunge feed</source>
@@ -1742,6 +1802,10 @@
     <message>
         <source>Rear</source>
         <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Rear jaw</source>
+        <translation>Mors arrière</translation>
     </message>
     <message>
         <source>Region edits</source>
@@ -2042,6 +2106,10 @@
     <message>
         <source>Switched off: the operation is left out of plan, verification and programs, as if it were not there.</source>
         <translation>Désactivée : l'opération est omise du plan, de la vérification et des programmes, comme si elle n'existait pas.</translation>
+    </message>
+    <message>
+        <source>TLAXIS has not three values</source>
+        <translation>TLAXIS n'a pas trois valeurs</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -2400,6 +2468,14 @@
         <translation>T{1} : omis : il n'y a pas de '{2}' à côté de la bibliothèque ou dans son dossier Bit</translation>
     </message>
     <message>
+        <source>UNITS changes after lengths were given</source>
+        <translation>UNITS change après que des longueurs ont été données</translation>
+    </message>
+    <message>
+        <source>UNITS names no unit</source>
+        <translation>UNITS ne nomme pas d'unité</translation>
+    </message>
+    <message>
         <source>Uncut limit</source>
         <translation>Limite du non-usiné</translation>
     </message>
@@ -2560,6 +2636,14 @@
         <translation>Écriture de la pièce</translation>
     </message>
     <message>
+        <source>X or Y go home while the tool is down</source>
+        <translation>X ou Y vont à leur origine pendant que l'outil est en bas</translation>
+    </message>
+    <message>
+        <source>X, Y, Z or the feed has no word</source>
+        <translation>X, Y, Z ou l'avance n'a pas de mot</translation>
+    </message>
+    <message>
         <source>Yaw</source>
         <translation>Lacet</translation>
     </message>
@@ -2582,6 +2666,14 @@
     <message>
         <source>Zero on box</source>
         <translation>Origine sur la boîte</translation>
+    </message>
+    <message>
+        <source>a '{' is not closed</source>
+        <translation>un '{' n'est pas fermé</translation>
+    </message>
+    <message>
+        <source>a '}' stands without '{'</source>
+        <translation>un '}' est sans '{'</translation>
     </message>
     <message>
         <source>a .fcholder file has one holder</source>
@@ -2668,6 +2760,10 @@
         <translation>une archive Zstandard</translation>
     </message>
     <message>
+        <source>a block of its own time has no time</source>
+        <translation>un bloc à temps propre n'a pas de temps</translation>
+    </message>
+    <message>
         <source>a bracket is not closed</source>
         <translation>une parenthèse n'est pas fermée</translation>
     </message>
@@ -2676,8 +2772,16 @@
         <translation>une archive bzip2</translation>
     </message>
     <message>
+        <source>a character is not plain text</source>
+        <translation>un caractère n'est pas du texte simple</translation>
+    </message>
+    <message>
         <source>a closed curve has three corners or more</source>
         <translation>une courbe fermée a trois sommets ou plus</translation>
+    </message>
+    <message>
+        <source>a comment is not closed, or holds another one</source>
+        <translation>un commentaire n'est pas fermé, ou en contient un autre</translation>
     </message>
     <message>
         <source>a coordinate is beyond {1}</source>
@@ -2700,6 +2804,10 @@
         <translation>une coordonnée est trop grande une fois l'objet ({1}) à sa place</translation>
     </message>
     <message>
+        <source>a coordinate of {1} is too large</source>
+        <translation>une coordonnée de {1} est trop grande</translation>
+    </message>
+    <message>
         <source>a corner cannot be written as a float</source>
         <translation>un sommet ne peut être écrit en float</translation>
     </message>
@@ -2718,6 +2826,10 @@
     <message>
         <source>a dimension of the cutter is not a usable number</source>
         <translation>une dimension de la fraise n'est pas un nombre utilisable</translation>
+    </message>
+    <message>
+        <source>a direction is given without an arc</source>
+        <translation>un sens est donné sans arc</translation>
     </message>
     <message>
         <source>a facet has fewer than 3 corners</source>
@@ -2808,6 +2920,10 @@
         <translation>un nombre est divisé par une mesure</translation>
     </message>
     <message>
+        <source>a number is missing behind '{1}'</source>
+        <translation>il manque un nombre derrière '{1}'</translation>
+    </message>
+    <message>
         <source>a number or a word</source>
         <translation>un nombre ou un mot</translation>
     </message>
@@ -2844,6 +2960,22 @@
         <translation>une passe entre de {1} dans la surépaisseur à {2}</translation>
     </message>
     <message>
+        <source>a place is given and no kind of motion</source>
+        <translation>un endroit est donné et aucune sorte de mouvement</translation>
+    </message>
+    <message>
+        <source>a place of the machine's own is not known here</source>
+        <translation>un endroit propre à la machine n'est pas connu ici</translation>
+    </message>
+    <message>
+        <source>a plane is tilted while the tip is led, or in another one</source>
+        <translation>un plan est incliné pendant que la pointe est guidée, ou dans un autre</translation>
+    </message>
+    <message>
+        <source>a plane is tilted, and the rotary axes have not turned to it</source>
+        <translation>un plan est incliné, et les axes rotatifs n'y ont pas tourné</translation>
+    </message>
+    <message>
         <source>a pointer of Git LFS to a file that was not fetched</source>
         <translation>un pointeur de Git LFS vers un fichier qui n’a pas été récupéré</translation>
     </message>
@@ -2868,8 +3000,28 @@
         <translation>un rayon et une hauteur</translation>
     </message>
     <message>
+        <source>a rapid moves several axes, and they do not arrive together</source>
+        <translation>un rapide déplace plusieurs axes, et ils n'arrivent pas ensemble</translation>
+    </message>
+    <message>
+        <source>a rapid without a motion</source>
+        <translation>un rapide sans mouvement</translation>
+    </message>
+    <message>
+        <source>a rapid{1}</source>
+        <translation>un rapide{1}</translation>
+    </message>
+    <message>
         <source>a relief needs two columns and two rows</source>
         <translation>un relief demande deux colonnes et deux lignes</translation>
+    </message>
+    <message>
+        <source>a rotary axis goes home</source>
+        <translation>un axe rotatif va à son origine</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns in a tilted plane</source>
+        <translation>un axe rotatif tourne dans un plan incliné</translation>
     </message>
     <message>
         <source>a setup turns and moves the part, and cannot mirror it</source>
@@ -2928,12 +3080,24 @@
         <translation>un texte qui ne commence pas par 'solid'</translation>
     </message>
     <message>
+        <source>a tool axis is given as a vector, and no code says so</source>
+        <translation>un axe d'outil est donné par un vecteur, et aucun code ne le dit</translation>
+    </message>
+    <message>
         <source>a tool axis lies down</source>
         <translation>un axe d'outil est couché</translation>
     </message>
     <message>
         <source>a tool fits but does not go there</source>
         <translation>un outil y passe, mais n'y va pas</translation>
+    </message>
+    <message>
+        <source>a tool is changed and none was named</source>
+        <translation>un outil est changé et aucun n'a été nommé</translation>
+    </message>
+    <message>
+        <source>a tool length is called without a number</source>
+        <translation>une longueur d'outil est appelée sans numéro</translation>
     </message>
     <message>
         <source>a tool pose is not finite or its axis is no unit vector</source>
@@ -3032,8 +3196,32 @@
         <translation>ajouter une opération</translation>
     </message>
     <message>
+        <source>add i, j and k to words</source>
+        <translation>ajouter i, j et k à words</translation>
+    </message>
+    <message>
+        <source>add i, j and k to words, or centre_x and so on</source>
+        <translation>ajouter i, j et k à words, ou centre_x et ainsi de suite</translation>
+    </message>
+    <message>
+        <source>add it to the project's tools</source>
+        <translation>l'ajouter aux outils du projet</translation>
+    </message>
+    <message>
         <source>add it to the words of the post</source>
         <translation>l'ajouter aux mots du post-processeur</translation>
+    </message>
+    <message>
+        <source>add one to codes</source>
+        <translation>en ajouter un à codes</translation>
+    </message>
+    <message>
+        <source>add one, or write true</source>
+        <translation>en ajouter un, ou écrire true</translation>
+    </message>
+    <message>
+        <source>add radius to words</source>
+        <translation>ajouter radius à words</translation>
     </message>
     <message>
         <source>all around</source>
@@ -3128,6 +3316,66 @@
         <translation>un document XML</translation>
     </message>
     <message>
+        <source>an arc begins at a place that is not known</source>
+        <translation>un arc commence à un endroit inconnu</translation>
+    </message>
+    <message>
+        <source>an arc begins {1} mm from its centre and ends {2} mm from it</source>
+        <translation>un arc commence à {1} mm de son centre et finit à {2} mm</translation>
+    </message>
+    <message>
+        <source>an arc has a centre and a radius</source>
+        <translation>un arc a un centre et un rayon</translation>
+    </message>
+    <message>
+        <source>an arc has a word that is read over</source>
+        <translation>un arc a un mot qui est ignoré</translation>
+    </message>
+    <message>
+        <source>an arc has neither centre nor radius</source>
+        <translation>un arc n'a ni centre ni rayon</translation>
+    </message>
+    <message>
+        <source>an arc has no centre</source>
+        <translation>un arc n'a pas de centre</translation>
+    </message>
+    <message>
+        <source>an arc has no direction</source>
+        <translation>un arc n'a pas de sens</translation>
+    </message>
+    <message>
+        <source>an arc has no radius</source>
+        <translation>un arc n'a pas de rayon</translation>
+    </message>
+    <message>
+        <source>an arc has two directions</source>
+        <translation>un arc a deux sens</translation>
+    </message>
+    <message>
+        <source>an arc is given, and nothing says in which plane</source>
+        <translation>un arc est donné, et rien ne dit dans quel plan</translation>
+    </message>
+    <message>
+        <source>an arc is no rapid</source>
+        <translation>un arc n'est pas un rapide</translation>
+    </message>
+    <message>
+        <source>an arc turns a rotary axis</source>
+        <translation>un arc tourne un axe rotatif</translation>
+    </message>
+    <message>
+        <source>an axis calls at a place of the part on its way home</source>
+        <translation>un axe passe par un endroit de la pièce en allant à son origine</translation>
+    </message>
+    <message>
+        <source>an axis goes home while the tip is led or in a tilted plane</source>
+        <translation>un axe va à son origine pendant que la pointe est guidée ou dans un plan incliné</translation>
+    </message>
+    <message>
+        <source>an axis has no number</source>
+        <translation>un axe n'a pas de nombre</translation>
+    </message>
+    <message>
         <source>an empty ZIP archive</source>
         <translation>une archive ZIP vide</translation>
     </message>
@@ -3160,12 +3408,20 @@
         <translation>une archive xz</translation>
     </message>
     <message>
+        <source>and {1} more</source>
+        <translation>et {1} autres</translation>
+    </message>
+    <message>
         <source>another STL file follows the first in it</source>
         <translation>un autre fichier STL y suit le premier</translation>
     </message>
     <message>
         <source>another {1} is called '{2}'</source>
         <translation>autre chose ({1}) s'appelle déjà '{2}'</translation>
+    </message>
+    <message>
+        <source>arcs about a centre of their own block are told in XY and do not climb</source>
+        <translation>les arcs autour d'un centre dans un bloc à part sont en XY et ne montent pas</translation>
     </message>
     <message>
         <source>as many answers as points are needed</source>
@@ -3224,6 +3480,10 @@
         <translation>fraise hémisphérique</translation>
     </message>
     <message>
+        <source>bottom</source>
+        <translation>bas</translation>
+    </message>
+    <message>
         <source>bottom angle and taper angle make no convex cutter</source>
         <translation>angle de fond et angle de cône ne font pas une fraise convexe</translation>
     </message>
@@ -3248,8 +3508,40 @@
         <translation>boîte</translation>
     </message>
     <message>
+        <source>bring rotary axes, X and Y to the start first</source>
+        <translation>amener d'abord les axes rotatifs, X et Y au début</translation>
+    </message>
+    <message>
+        <source>bring rotary axes, X and Y to the start first, and give X, Y and Z</source>
+        <translation>amener d'abord les axes rotatifs, X et Y au début, et donner X, Y et Z</translation>
+    </message>
+    <message>
+        <source>bring the rotary axes to where it is held before it</source>
+        <translation>amener avant les axes rotatifs où il est tenu</translation>
+    </message>
+    <message>
+        <source>bring them there before it, so that the control has nothing to choose</source>
+        <translation>les y amener avant, pour que la commande n'ait rien à choisir</translation>
+    </message>
+    <message>
         <source>bull nose end mill</source>
         <translation>fraise torique</translation>
+    </message>
+    <message>
+        <source>call it</source>
+        <translation>l'appeler</translation>
+    </message>
+    <message>
+        <source>call it before</source>
+        <translation>l'appeler avant</translation>
+    </message>
+    <message>
+        <source>call its edge before it</source>
+        <translation>appeler son arête avant</translation>
+    </message>
+    <message>
+        <source>call its own</source>
+        <translation>appeler la sienne</translation>
     </message>
     <message>
         <source>cannot be reached: {1} of the surface ({2}) around {3}: {4}</source>
@@ -3308,6 +3600,14 @@
         <translation>vérifier virgules, guillemets et accolades</translation>
     </message>
     <message>
+        <source>check its end and its centre</source>
+        <translation>vérifier sa fin et son centre</translation>
+    </message>
+    <message>
+        <source>check its end and its radius</source>
+        <translation>vérifier sa fin et son rayon</translation>
+    </message>
+    <message>
         <source>check its permissions</source>
         <translation>vérifier ses permissions</translation>
     </message>
@@ -3324,6 +3624,10 @@
         <translation>vérifier pièce, outil et tolérance</translation>
     </message>
     <message>
+        <source>check that it is an APT CL file</source>
+        <translation>vérifier que c'est un fichier CL APT</translation>
+    </message>
+    <message>
         <source>check the axis</source>
         <translation>vérifier l'axe</translation>
     </message>
@@ -3332,12 +3636,20 @@
         <translation>vérifier l'axe, le rayon du noyau et où le parcours commence et finit</translation>
     </message>
     <message>
+        <source>check the directions</source>
+        <translation>vérifier les directions</translation>
+    </message>
+    <message>
         <source>check the disk</source>
         <translation>vérifier le disque</translation>
     </message>
     <message>
         <source>check the file</source>
         <translation>vérifier le fichier</translation>
+    </message>
+    <message>
+        <source>check the file and its units</source>
+        <translation>vérifier le fichier et ses unités</translation>
     </message>
     <message>
         <source>check the folder, its permissions and the free space</source>
@@ -3368,8 +3680,16 @@
         <translation>vérifier le nom</translation>
     </message>
     <message>
+        <source>check the number for a point that was lost</source>
+        <translation>vérifier si un point du nombre s'est perdu</translation>
+    </message>
+    <message>
         <source>check the part</source>
         <translation>vérifier la pièce</translation>
+    </message>
+    <message>
+        <source>check the part's place and the program</source>
+        <translation>vérifier la place de la pièce et le programme</translation>
     </message>
     <message>
         <source>check the part's units</source>
@@ -3406,6 +3726,14 @@
     <message>
         <source>check the placements, or give the setup a stock of its own</source>
         <translation>vérifier les mises en place, ou donner au posage un brut à lui</translation>
+    </message>
+    <message>
+        <source>check the program</source>
+        <translation>vérifier le programme</translation>
+    </message>
+    <message>
+        <source>check the program and the machine</source>
+        <translation>vérifier le programme et la machine</translation>
     </message>
     <message>
         <source>check the program's units</source>
@@ -3520,8 +3848,16 @@
         <translation>choisir certains de ses objets</translation>
     </message>
     <message>
+        <source>choose the machine it runs on</source>
+        <translation>choisir la machine sur laquelle il tourne</translation>
+    </message>
+    <message>
         <source>choose the machine that it runs on</source>
         <translation>choisir la machine où il s'exécute</translation>
+    </message>
+    <message>
+        <source>choose the setup's</source>
+        <translation>choisir celui du posage</translation>
     </message>
     <message>
         <source>chuck and tailstock keep the tool from {1} of the part's length, which stays uncut</source>
@@ -3554,6 +3890,14 @@
     <message>
         <source>cm2</source>
         <translation>cm2</translation>
+    </message>
+    <message>
+        <source>come down straight</source>
+        <translation>descendre droit</translation>
+    </message>
+    <message>
+        <source>comments begin with ( or ;</source>
+        <translation>les commentaires commencent par ( ou ;</translation>
     </message>
     <message>
         <source>contact</source>
@@ -3636,10 +3980,6 @@
         <translation>courbe</translation>
     </message>
     <message>
-        <source>cusps of </source>
-        <translation>des crêtes de </translation>
-    </message>
-    <message>
         <source>cut</source>
         <translation>coupe</translation>
     </message>
@@ -3682,6 +4022,10 @@
     <message>
         <source>decimate: ends when this share of the facets is left. 0 goes as far as the bound allows.</source>
         <translation>décimer : finit quand il reste cette part des facettes. 0 va aussi loin que la borne le permet.</translation>
+    </message>
+    <message>
+        <source>define it before</source>
+        <translation>le définir avant</translation>
     </message>
     <message>
         <source>did you mean '{1}'?</source>
@@ -3788,6 +4132,10 @@
         <translation>excédent {1}</translation>
     </message>
     <message>
+        <source>expected a list of {1} numbers</source>
+        <translation>une liste de {1} nombres attendue</translation>
+    </message>
+    <message>
         <source>expected a whole number</source>
         <translation>un nombre entier est attendu</translation>
     </message>
@@ -3796,8 +4144,16 @@
         <translation>attendu : {1}</translation>
     </message>
     <message>
+        <source>export it again</source>
+        <translation>l'exporter à nouveau</translation>
+    </message>
+    <message>
         <source>export it again, and copy it as binary</source>
         <translation>exportez-le de nouveau et copiez-le en binaire</translation>
+    </message>
+    <message>
+        <source>export it again, or end it with FINI</source>
+        <translation>l'exporter à nouveau, ou le terminer par FINI</translation>
     </message>
     <message>
         <source>export it again, without compression</source>
@@ -3924,6 +4280,10 @@
         <translation>une partie coupante de {1} au lieu de {2}</translation>
     </message>
     <message>
+        <source>flutes of {1} instead of {2} and a stick-out of {3} below the holder instead of {4}</source>
+        <translation>une partie coupante de {1} au lieu de {2} et une sortie de {3} sous le porte-outil au lieu de {4}</translation>
+    </message>
+    <message>
         <source>free some memory</source>
         <translation>libérer de la mémoire</translation>
     </message>
@@ -3936,8 +4296,8 @@
         <translation>d'en haut</translation>
     </message>
     <message>
-        <source>from setup '{1}': </source>
-        <translation>du posage '{1}' : </translation>
+        <source>from setup '{1}': {2}</source>
+        <translation>du posage '{1}' : {2}</translation>
     </message>
     <message>
         <source>from tolerance</source>
@@ -3946,6 +4306,10 @@
     <message>
         <source>from {1}° to {2}° is no range of postures</source>
         <translation>de {1}° à {2}° n'est pas une plage de postures</translation>
+    </message>
+    <message>
+        <source>give I, J and K</source>
+        <translation>donner I, J et K</translation>
     </message>
     <message>
         <source>give a .png file</source>
@@ -3958,6 +4322,10 @@
     <message>
         <source>give a direction from the tip to the spindle, upright is 0, 0, 1</source>
         <translation>donner une direction de la pointe à la broche, vertical est 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>give a feed</source>
+        <translation>donner une avance</translation>
     </message>
     <message>
         <source>give a length</source>
@@ -3980,12 +4348,20 @@
         <translation>donner un endroit dans la zone</translation>
     </message>
     <message>
+        <source>give a positive feed</source>
+        <translation>donner une avance positive</translation>
+    </message>
+    <message>
         <source>give a positive length</source>
         <translation>donner une longueur positive</translation>
     </message>
     <message>
         <source>give a solid, or use a box or cylinder</source>
         <translation>donner un solide, ou prendre une boîte ou un cylindre</translation>
+    </message>
+    <message>
+        <source>give a speed</source>
+        <translation>donner une vitesse</translation>
     </message>
     <message>
         <source>give a whole number of at least 3</source>
@@ -4000,8 +4376,16 @@
         <translation>en donner au moins deux dans chaque sens</translation>
     </message>
     <message>
+        <source>give each its own</source>
+        <translation>donner à chacun le sien</translation>
+    </message>
+    <message>
         <source>give each tool a number of its own</source>
         <translation>donner à chaque outil un numéro à lui</translation>
+    </message>
+    <message>
+        <source>give every axis its own name</source>
+        <translation>donner à chaque axe son nom</translation>
     </message>
     <message>
         <source>give every boundary its own name</source>
@@ -4024,6 +4408,10 @@
         <translation>donner à chaque outil un numéro à lui</translation>
     </message>
     <message>
+        <source>give it a feed</source>
+        <translation>lui donner une avance</translation>
+    </message>
+    <message>
         <source>give it a name</source>
         <translation>lui donner un nom</translation>
     </message>
@@ -4034,6 +4422,10 @@
     <message>
         <source>give it a stock of its own before</source>
         <translation>lui donner avant un brut à lui</translation>
+    </message>
+    <message>
+        <source>give it in a block before</source>
+        <translation>le donner dans un bloc avant</translation>
     </message>
     <message>
         <source>give it {1}</source>
@@ -4054,6 +4446,10 @@
     <message>
         <source>give one of Facetmill, Fusion, CAMotics or Kiri:Moto</source>
         <translation>en donner une de Facetmill, Fusion, CAMotics ou Kiri:Moto</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>en donner un</translation>
     </message>
     <message>
         <source>give radii and heights that rise</source>
@@ -4094,6 +4490,14 @@
     <message>
         <source>give the inclination</source>
         <translation>donner l'inclinaison</translation>
+    </message>
+    <message>
+        <source>give the largest speed, in degrees per second</source>
+        <translation>donner la plus grande vitesse, en degrés par seconde</translation>
+    </message>
+    <message>
+        <source>give the largest speed, in units per second</source>
+        <translation>donner la plus grande vitesse, en unités par seconde</translation>
     </message>
     <message>
         <source>give the length from tip to spindle nose</source>
@@ -4172,6 +4576,10 @@
         <translation>donner le lacet</translation>
     </message>
     <message>
+        <source>give turns per minute</source>
+        <translation>donner des tours par minute</translation>
+    </message>
+    <message>
         <source>give two angles between {1}° and {2}°, the smaller first</source>
         <translation>donner deux angles entre {1}° et {2}°, le plus petit d'abord</translation>
     </message>
@@ -4188,8 +4596,16 @@
         <translation>globale</translation>
     </message>
     <message>
-        <source>gouge of {1}</source>
-        <translation>entaille de {1}</translation>
+        <source>go there straight first</source>
+        <translation>y aller d'abord tout droit</translation>
+    </message>
+    <message>
+        <source>gouge of {1} ({2}), limit {3}</source>
+        <translation>entaille de {1} ({2}), limite {3}</translation>
+    </message>
+    <message>
+        <source>gouge of {1}, limit {2}</source>
+        <translation>entaille de {1}, limite {2}</translation>
     </message>
     <message>
         <source>grblHAL</source>
@@ -4254,6 +4670,10 @@
     <message>
         <source>helix</source>
         <translation>hélice</translation>
+    </message>
+    <message>
+        <source>high {1}</source>
+        <translation>{1} haut</translation>
     </message>
     <message>
         <source>hold less of the stock, or take a smaller tool or clearance</source>
@@ -4496,6 +4916,14 @@
         <translation>il ne peut s'écrire comme un nombre</translation>
     </message>
     <message>
+        <source>it cuts while the spindle stands</source>
+        <translation>il usine alors que la broche est arrêtée</translation>
+    </message>
+    <message>
+        <source>it cuts, and no speed of the spindle is given</source>
+        <translation>il usine, et aucune vitesse de broche n'est donnée</translation>
+    </message>
+    <message>
         <source>it divides by 0</source>
         <translation>il y a une division par 0</translation>
     </message>
@@ -4562,6 +4990,14 @@
     <message>
         <source>it leaves more than the tolerance</source>
         <translation>elle laisse plus que la tolérance</translation>
+    </message>
+    <message>
+        <source>it may be cut short: write it anew</source>
+        <translation>il est peut-être tronqué : l'écrire à nouveau</translation>
+    </message>
+    <message>
+        <source>it may say how often it turns: leave it out</source>
+        <translation>il dit peut-être combien de fois il tourne : l'omettre</translation>
     </message>
     <message>
         <source>it names faces, and the part's file has none: only STEP and IGES files do</source>
@@ -4648,6 +5084,10 @@
         <translation>joindre : le fichier du scan qui est ajouté, dans l'unité et les coordonnées de celui-ci.</translation>
     </message>
     <message>
+        <source>keep one</source>
+        <translation>n'en garder qu'un</translation>
+    </message>
+    <message>
         <source>keep one of them</source>
         <translation>n'en garder qu'une</translation>
     </message>
@@ -4662,6 +5102,14 @@
     <message>
         <source>known keys: {1}</source>
         <translation>clés connues : {1}</translation>
+    </message>
+    <message>
+        <source>known meanings: {1}</source>
+        <translation>significations connues : {1}</translation>
+    </message>
+    <message>
+        <source>known words: {1}</source>
+        <translation>mots connus : {1}</translation>
     </message>
     <message>
         <source>known {1}s: {2}; a name that ends with .json is a file of your own</source>
@@ -4686,6 +5134,22 @@
     <message>
         <source>leave it out</source>
         <translation>l'omettre</translation>
+    </message>
+    <message>
+        <source>leave it out, or check its direction</source>
+        <translation>l'omettre, ou vérifier sa direction</translation>
+    </message>
+    <message>
+        <source>leave it where it is</source>
+        <translation>le laisser où il est</translation>
+    </message>
+    <message>
+        <source>leave out those that are clamped</source>
+        <translation>omettre ceux qui sont bloqués</translation>
+    </message>
+    <message>
+        <source>leave some out</source>
+        <translation>en omettre</translation>
     </message>
     <message>
         <source>leave the operation out</source>
@@ -4760,8 +5224,20 @@
         <translation>faire d'abord nommer à l'opération une autre limite, ou aucune</translation>
     </message>
     <message>
+        <source>list X, Y and Z</source>
+        <translation>nommer X, Y et Z</translation>
+    </message>
+    <message>
         <source>list at least one setup</source>
         <translation>énumérer au moins un posage</translation>
+    </message>
+    <message>
+        <source>list the axes: X, Y, Z and up to two rotary ones</source>
+        <translation>nommer les axes : X, Y, Z et jusqu'à deux rotatifs</translation>
+    </message>
+    <message>
+        <source>list the axis that carries the other one first; check the directions</source>
+        <translation>nommer d'abord l'axe qui porte l'autre ; vérifier les directions</translation>
     </message>
     <message>
         <source>list the steps</source>
@@ -4778,6 +5254,10 @@
     <message>
         <source>look across it, as along 0, 0, 1</source>
         <translation>regarder en travers, comme selon 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>low {1}</source>
+        <translation>{1} bas</translation>
     </message>
     <message>
         <source>lower it, or raise the assumed lead limit</source>
@@ -4820,6 +5300,10 @@
         <translation>matières</translation>
     </message>
     <message>
+        <source>mend it, or leave it out</source>
+        <translation>le corriger ou l'omettre</translation>
+    </message>
+    <message>
         <source>mesh</source>
         <translation>maillage</translation>
     </message>
@@ -4836,8 +5320,8 @@
         <translation>mi-hauteur</translation>
     </message>
     <message>
-        <source>middle of</source>
-        <translation>milieu de</translation>
+        <source>middle of {1}</source>
+        <translation>milieu de {1}</translation>
     </message>
     <message>
         <source>mirror the part itself, which all setups have</source>
@@ -4878,6 +5362,10 @@
     <message>
         <source>move the part, or choose a shorter tool</source>
         <translation>déplacer la pièce, ou choisir un outil plus court</translation>
+    </message>
+    <message>
+        <source>move them one by one, or at feed</source>
+        <translation>les déplacer un par un, ou en avance</translation>
     </message>
     <message>
         <source>move what is in the way, make it smaller, or give it less clearance</source>
@@ -4936,8 +5424,20 @@
         <translation>nommer des faces du fichier de la pièce</translation>
     </message>
     <message>
+        <source>name it first</source>
+        <translation>le nommer d'abord</translation>
+    </message>
+    <message>
+        <source>name it in the project, as `wcs`</source>
+        <translation>le nommer dans le projet, `wcs`</translation>
+    </message>
+    <message>
         <source>name its objects: {1}</source>
         <translation>nommer ses objets : {1}</translation>
+    </message>
+    <message>
+        <source>name the control as people call it</source>
+        <translation>nommer la commande comme on l'appelle</translation>
     </message>
     <message>
         <source>name the fixture's mesh file</source>
@@ -4946,6 +5446,14 @@
     <message>
         <source>name the kind of operation</source>
         <translation>nommer le type de l'opération</translation>
+    </message>
+    <message>
+        <source>name the machine</source>
+        <translation>nommer la machine</translation>
+    </message>
+    <message>
+        <source>name the machine as people call it</source>
+        <translation>nommer la machine comme on l'appelle</translation>
     </message>
     <message>
         <source>name the other scan's file</source>
@@ -4998,6 +5506,22 @@
     <message>
         <source>needs a lead of up to {1}, allowed are {2}</source>
         <translation>demande une attaque jusqu'à {1}, {2} sont permis</translation>
+    </message>
+    <message>
+        <source>no FINI or END: the file may be cut short</source>
+        <translation>ni FINI ni END : le fichier est peut-être tronqué</translation>
+    </message>
+    <message>
+        <source>no arc of this radius leads there</source>
+        <translation>aucun arc de ce rayon n'y mène</translation>
+    </message>
+    <message>
+        <source>no code means '{1}'</source>
+        <translation>aucun code ne signifie '{1}'</translation>
+    </message>
+    <message>
+        <source>no code says what the unit of the numbers is</source>
+        <translation>aucun code ne dit l'unité des nombres</translation>
     </message>
     <message>
         <source>no contact point has a free posture with a lead of at most {1}</source>
@@ -5100,8 +5624,16 @@
         <translation>aucun outil n'y passe</translation>
     </message>
     <message>
+        <source>no tool is in the spindle</source>
+        <translation>aucun outil n'est dans la broche</translation>
+    </message>
+    <message>
         <source>no value</source>
         <translation>aucune valeur</translation>
+    </message>
+    <message>
+        <source>no work coordinate system is chosen</source>
+        <translation>aucun système de coordonnées pièce n'est choisi</translation>
     </message>
     <message>
         <source>nobody has said which tool leaves it</source>
@@ -5132,8 +5664,20 @@
         <translation>non jugé</translation>
     </message>
     <message>
+        <source>not one line has the word {wcs}</source>
+        <translation>aucune ligne n'a le mot {wcs}</translation>
+    </message>
+    <message>
+        <source>not one line has the words {plane_z} and {plane_x}</source>
+        <translation>aucune ligne n'a les mots {plane_z} et {plane_x}</translation>
+    </message>
+    <message>
         <source>not valid JSON near '{1}'</source>
         <translation>JSON non valable près de '{1}'</translation>
+    </message>
+    <message>
+        <source>nothing ends the tilted plane</source>
+        <translation>rien ne termine le plan incliné</translation>
     </message>
     <message>
         <source>nothing follows the header</source>
@@ -5172,6 +5716,18 @@
         <translation>rien du brut ne dépasse la pièce et la surépaisseur de {1}</translation>
     </message>
     <message>
+        <source>nothing says what the feed is per</source>
+        <translation>rien ne dit à quoi l'avance se rapporte</translation>
+    </message>
+    <message>
+        <source>nothing takes the tool up</source>
+        <translation>rien ne relève l'outil</translation>
+    </message>
+    <message>
+        <source>nothing turns the rotary axes: no code means 'plane_axes'</source>
+        <translation>rien ne tourne les axes rotatifs : aucun code ne signifie 'plane_axes'</translation>
+    </message>
+    <message>
         <source>nothing was written</source>
         <translation>rien n'a été écrit</translation>
     </message>
@@ -5186,6 +5742,10 @@
     <message>
         <source>nowhere on the part, away from its open borders, is what the programs leave held against the tolerance</source>
         <translation>nulle part sur la pièce, loin de ses bords ouverts, ce que laissent les programmes n'est comparé à la tolérance</translation>
+    </message>
+    <message>
+        <source>number tools from 1</source>
+        <translation>numéroter les outils à partir de 1</translation>
     </message>
     <message>
         <source>object</source>
@@ -5228,8 +5788,12 @@
         <translation>sens unique</translation>
     </message>
     <message>
-        <source>only a step of kind hole leaves a hole open</source>
-        <translation>seule une étape du genre trou laisse un trou ouvert</translation>
+        <source>only UNITS/MM and UNITS/INCHES are read</source>
+        <translation>seuls UNITS/MM et UNITS/INCHES sont lus</translation>
+    </message>
+    <message>
+        <source>only {1}/OFF is read; output plain GOTO statements</source>
+        <translation>seul {1}/OFF est lu ; sortir des instructions GOTO simples</translation>
     </message>
     <message>
         <source>open the file itself, under a name that ends as its format does</source>
@@ -5304,6 +5868,10 @@
         <translation>outer loop</translation>
     </message>
     <message>
+        <source>output straight GOTO statements (no arcs, cycles or transformations)</source>
+        <translation>sortir des instructions GOTO droites (ni arcs, ni cycles, ni transformations)</translation>
+    </message>
+    <message>
         <source>paint facets, widen it, or move it onto the part</source>
         <translation>peindre des facettes, l'élargir, ou la déplacer sur la pièce</translation>
     </message>
@@ -5368,16 +5936,16 @@
         <translation>morceaux : ceux de moins d'aire partent.</translation>
     </message>
     <message>
+        <source>places are not told from the origin</source>
+        <translation>les endroits ne sont pas donnés depuis l'origine</translation>
+    </message>
+    <message>
         <source>places lie under the part itself, seen along the tool</source>
         <translation>des endroits sont sous la pièce elle-même, vus le long de l'outil</translation>
     </message>
     <message>
         <source>places looked at are {1} apart, and a cutter has a radius of {2}: ask for a resolution and a spacing of at most {3}</source>
         <translation>les endroits examinés sont à {1} l'un de l'autre, et une fraise a un rayon de {2} : demander une résolution et un espacement d'au plus {3}</translation>
-    </message>
-    <message>
-        <source>places uncut</source>
-        <translation>des endroits non usinés</translation>
     </message>
     <message>
         <source>plan again</source>
@@ -5424,8 +5992,20 @@
         <translation>préréglage {1}</translation>
     </message>
     <message>
+        <source>process the program to plain GOTO statements first</source>
+        <translation>traiter d'abord le programme en instructions GOTO simples</translation>
+    </message>
+    <message>
         <source>program '{1}'</source>
         <translation>programme '{1}'</translation>
+    </message>
+    <message>
+        <source>put GOTO or FROM before it</source>
+        <translation>mettre GOTO ou FROM avant</translation>
+    </message>
+    <message>
+        <source>put UNITS before CUTTER and the first GOTO</source>
+        <translation>mettre UNITS avant CUTTER et le premier GOTO</translation>
     </message>
     <message>
         <source>put it into one of "setups"</source>
@@ -5488,12 +6068,32 @@
         <translation>reste</translation>
     </message>
     <message>
+        <source>retract Z first</source>
+        <translation>retirer d'abord Z</translation>
+    </message>
+    <message>
+        <source>retract before it</source>
+        <translation>se retirer avant</translation>
+    </message>
+    <message>
+        <source>retract otherwise</source>
+        <translation>se retirer autrement</translation>
+    </message>
+    <message>
+        <source>retract to 0 of the machine</source>
+        <translation>se retirer au 0 de la machine</translation>
+    </message>
+    <message>
         <source>rework: {1}</source>
         <translation>reprise : {1}</translation>
     </message>
     <message>
         <source>rings</source>
         <translation>anneaux</translation>
+    </message>
+    <message>
+        <source>rotary axes turn to a tilted plane while the tool is down</source>
+        <translation>des axes rotatifs tournent vers un plan incliné pendant que l'outil est en bas</translation>
     </message>
     <message>
         <source>rotate the part</source>
@@ -5512,8 +6112,16 @@
         <translation>ébaucher avec un outil plus étroit au-dessus de son bout laisse de la matière en surplomb</translation>
     </message>
     <message>
+        <source>rpm</source>
+        <translation>tr/min</translation>
+    </message>
+    <message>
         <source>sample surface</source>
         <translation>surface d'exemple</translation>
+    </message>
+    <message>
+        <source>save it as ASCII or UTF-8</source>
+        <translation>l'enregistrer en ASCII ou UTF-8</translation>
     </message>
     <message>
         <source>save it as ASCII or UTF-8 (PowerShell: Out-File -Encoding ascii)</source>
@@ -5584,8 +6192,32 @@
         <translation>sections</translation>
     </message>
     <message>
+        <source>see the codes of its post</source>
+        <translation>voir les codes de son post-processeur</translation>
+    </message>
+    <message>
+        <source>see the words and codes of its post</source>
+        <translation>voir les mots et codes de son post-processeur</translation>
+    </message>
+    <message>
+        <source>see the words of its post</source>
+        <translation>voir les mots de son post-processeur</translation>
+    </message>
+    <message>
+        <source>send Z home first</source>
+        <translation>envoyer d'abord Z à son origine</translation>
+    </message>
+    <message>
+        <source>send Z home first, alone</source>
+        <translation>envoyer d'abord Z à son origine, seul</translation>
+    </message>
+    <message>
         <source>send the files as they are</source>
         <translation>envoyer les fichiers tels quels</translation>
+    </message>
+    <message>
+        <source>set multi_axis to tcp or vectors</source>
+        <translation>mettre multi_axis à tcp ou vectors</translation>
     </message>
     <message>
         <source>set the {1}</source>
@@ -5632,6 +6264,10 @@
         <translation>forme et longueurs ne sont pas reprises</translation>
     </message>
     <message>
+        <source>shorten it</source>
+        <translation>le raccourcir</translation>
+    </message>
+    <message>
         <source>shorten the line of the post, or the names in it</source>
         <translation>raccourcir la ligne du post-processeur, ou les noms qu'elle contient</translation>
     </message>
@@ -5662,6 +6298,10 @@
     <message>
         <source>spindle speed</source>
         <translation>vitesse de broche</translation>
+    </message>
+    <message>
+        <source>split the file: one program each</source>
+        <translation>diviser le fichier : un programme chacun</translation>
     </message>
     <message>
         <source>spot drill</source>
@@ -5704,8 +6344,32 @@
         <translation>en activer une, ou omettre l'opération</translation>
     </message>
     <message>
-        <source>switched off · {1}</source>
-        <translation>désactivée · {1}</translation>
+        <source>switch that off</source>
+        <translation>le désactiver</translation>
+    </message>
+    <message>
+        <source>switch that off before it</source>
+        <translation>le désactiver avant</translation>
+    </message>
+    <message>
+        <source>switch that on before it</source>
+        <translation>l'activer avant</translation>
+    </message>
+    <message>
+        <source>switch the plane off before it</source>
+        <translation>désactiver le plan avant</translation>
+    </message>
+    <message>
+        <source>switch the plane off first</source>
+        <translation>désactiver d'abord le plan</translation>
+    </message>
+    <message>
+        <source>switched off · {1} · no tool yet</source>
+        <translation>désactivée · {1} · encore sans outil</translation>
+    </message>
+    <message>
+        <source>switched off · {1} · tool {2}</source>
+        <translation>désactivée · {1} · outil {2}</translation>
     </message>
     <message>
         <source>tab</source>
@@ -5756,12 +6420,24 @@
         <translation>l'attribut {1} manque</translation>
     </message>
     <message>
+        <source>the axes turn to a tilted plane, and there is none</source>
+        <translation>les axes tournent vers un plan incliné, et il n'y en a pas</translation>
+    </message>
+    <message>
+        <source>the axis {1} is missing</source>
+        <translation>l'axe {1} manque</translation>
+    </message>
+    <message>
         <source>the ball's radius is not above 0</source>
         <translation>le rayon de la boule n'est pas au-dessus de 0</translation>
     </message>
     <message>
         <source>the block '{1}' is longer than {2} characters</source>
         <translation>le bloc '{1}' dépasse {2} caractères</translation>
+    </message>
+    <message>
+        <source>the block has more than {1} characters</source>
+        <translation>le bloc a plus de {1} caractères</translation>
     </message>
     <message>
         <source>the bottom angle is out of range</source>
@@ -5774,6 +6450,22 @@
     <message>
         <source>the cells of a stock field are not above 0</source>
         <translation>les cellules d'un champ de brut ne sont pas au-dessus de 0</translation>
+    </message>
+    <message>
+        <source>the centre has no words</source>
+        <translation>le centre n'a pas de mots</translation>
+    </message>
+    <message>
+        <source>the centre of an arc has a part across its plane</source>
+        <translation>le centre d'un arc a une part en travers de son plan</translation>
+    </message>
+    <message>
+        <source>the centre or radius of an arc is given without one</source>
+        <translation>le centre ou le rayon d'un arc est donné sans arc</translation>
+    </message>
+    <message>
+        <source>the choice of a work coordinate system is not whole</source>
+        <translation>le choix d'un système de coordonnées pièce n'est pas complet</translation>
     </message>
     <message>
         <source>the chord tolerance is not a length above 0</source>
@@ -5792,12 +6484,20 @@
         <translation>la commande ne peut changer d'outil, et le programme en a plusieurs</translation>
     </message>
     <message>
+        <source>the control chooses how to hold the tilted plane</source>
+        <translation>la commande choisit comment tenir le plan incliné</translation>
+    </message>
+    <message>
         <source>the control has no word for the axis {1}</source>
         <translation>la commande n'a pas de mot pour l'axe {1}</translation>
     </message>
     <message>
         <source>the control has no work coordinate system '{1}'</source>
         <translation>la commande n'a pas de système de coordonnées pièce '{1}'</translation>
+    </message>
+    <message>
+        <source>the control would not read it</source>
+        <translation>la commande ne le lirait pas</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -5900,6 +6600,10 @@
         <translation>le diamètre {1} est trop grand</translation>
     </message>
     <message>
+        <source>the direction has no length</source>
+        <translation>la direction n'a pas de longueur</translation>
+    </message>
+    <message>
         <source>the element '{1}' occurs twice</source>
         <translation>l'élément '{1}' apparaît deux fois</translation>
     </message>
@@ -5932,6 +6636,14 @@
         <translation>les facettes ne peuvent être écrites : {1}</translation>
     </message>
     <message>
+        <source>the feed is not above 0</source>
+        <translation>l'avance n'est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>the feed {1} is out of range</source>
+        <translation>l'avance {1} est hors limites</translation>
+    </message>
+    <message>
         <source>the file ends here</source>
         <translation>le fichier finit ici</translation>
     </message>
@@ -5962,6 +6674,14 @@
     <message>
         <source>the file ends too early</source>
         <translation>le fichier finit trop tôt</translation>
+    </message>
+    <message>
+        <source>the file ends within a line, without FINI or END</source>
+        <translation>le fichier se termine dans une ligne, sans FINI ni END</translation>
+    </message>
+    <message>
+        <source>the file ends within a statement</source>
+        <translation>le fichier se termine dans une instruction</translation>
     </message>
     <message>
         <source>the file ends within a value</source>
@@ -6024,8 +6744,16 @@
         <translation>le fichier est vide</translation>
     </message>
     <message>
+        <source>the file is for a newer Facetmill</source>
+        <translation>le fichier est pour un Facetmill plus récent</translation>
+    </message>
+    <message>
         <source>the file is not UTF-8 text (UTF-16 or binary)</source>
         <translation>le fichier n'est pas un texte UTF-8 (UTF-16 ou binaire)</translation>
+    </message>
+    <message>
+        <source>the file is not plain text (UTF-16 or binary)</source>
+        <translation>le fichier n'est pas du texte simple (UTF-16 ou binaire)</translation>
     </message>
     <message>
         <source>the file is too large for a project or a machine</source>
@@ -6040,12 +6768,12 @@
         <translation>la première doit être sous la seconde</translation>
     </message>
     <message>
-        <source>the fixture</source>
-        <translation>le bridage</translation>
+        <source>the fixture {1}</source>
+        <translation>le bridage {1}</translation>
     </message>
     <message>
-        <source>the fixtures</source>
-        <translation>les bridages</translation>
+        <source>the fixtures {1}</source>
+        <translation>les bridages {1}</translation>
     </message>
     <message>
         <source>the folder cannot be made: {1}</source>
@@ -6128,12 +6856,20 @@
         <translation>la limite d'attaque {1} dépasse celle du parcours supposé, {2}</translation>
     </message>
     <message>
+        <source>the length of a tool is called by an edge or by a number, not by both</source>
+        <translation>la longueur d'un outil est appelée par une arête ou par un numéro, pas par les deux</translation>
+    </message>
+    <message>
         <source>the length of the tool is negative or no number</source>
         <translation>la longueur de l'outil est négative ou n'est pas un nombre</translation>
     </message>
     <message>
-        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
-        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
+        <source>the length of tool {1} is called, and another one is in the spindle</source>
+        <translation>la longueur de l'outil {1} est appelée, et un autre est dans la broche</translation>
+    </message>
+    <message>
+        <source>the limits {1} and {2} leave no travel</source>
+        <translation>les limites {1} et {2} ne laissent pas de course</translation>
     </message>
     <message>
         <source>the limits {1} are reversed or equal</source>
@@ -6148,12 +6884,28 @@
         <translation>la ligne END-ISO-10303-21; d'un fichier STEP</translation>
     </message>
     <message>
+        <source>the line is too long</source>
+        <translation>la ligne est trop longue</translation>
+    </message>
+    <message>
+        <source>the line occurs twice, or has other words than {wcs}</source>
+        <translation>la ligne apparaît deux fois, ou a d'autres mots que {wcs}</translation>
+    </message>
+    <message>
         <source>the list has {1} values</source>
         <translation>la liste a {1} valeurs</translation>
     </message>
     <message>
         <source>the list length</source>
         <translation>la longueur de la liste</translation>
+    </message>
+    <message>
+        <source>the machine cannot hold this place</source>
+        <translation>la machine ne peut pas tenir cet endroit</translation>
+    </message>
+    <message>
+        <source>the machine has no axis {1}</source>
+        <translation>la machine n'a pas d'axe {1}</translation>
     </message>
     <message>
         <source>the machine's axes do not reach, or the tool would lie down</source>
@@ -6212,8 +6964,20 @@
         <translation>le nom apparaît deux fois</translation>
     </message>
     <message>
+        <source>the number is not from {1} to {2}</source>
+        <translation>le nombre n'est pas de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>le nombre est trop grand</translation>
+    </message>
+    <message>
         <source>the number {1} is too large</source>
         <translation>le nombre {1} est trop grand</translation>
+    </message>
+    <message>
+        <source>the numbers from {1} to {2}</source>
+        <translation>les nombres de {1} à {2}</translation>
     </message>
     <message>
         <source>the object has too many keys</source>
@@ -6296,16 +7060,16 @@
         <translation>la pièce à placer n'a pas de taille</translation>
     </message>
     <message>
-        <source>the part's </source>
-        <translation>pièce : </translation>
-    </message>
-    <message>
         <source>the part's middle lies {1} off the turning axis: it turns unbalanced, and its stock needs a diameter of {2} about the axis</source>
         <translation>le milieu de la pièce est à {1} de l'axe de rotation : elle tourne déséquilibrée, et son brut demande un diamètre de {2} autour de l'axe</translation>
     </message>
     <message>
         <source>the part's origin</source>
         <translation>l'origine de la pièce</translation>
+    </message>
+    <message>
+        <source>the part's {1}, {2}, {3}</source>
+        <translation>pièce, {1}, {2}, {3}</translation>
     </message>
     <message>
         <source>the passes end where the cutter would go below the bottom of the stock, by up to {1}: {2} of the points are left out unless 'Below the bottom' allows them</source>
@@ -6396,6 +7160,10 @@
         <translation>le profil a trop de morceaux</translation>
     </message>
     <message>
+        <source>the program has no end</source>
+        <translation>le programme n'a pas de fin</translation>
+    </message>
+    <message>
         <source>the program has no motion</source>
         <translation>le programme n'a aucun mouvement</translation>
     </message>
@@ -6420,6 +7188,10 @@
         <translation>le projet n'a pas de posage</translation>
     </message>
     <message>
+        <source>the project has no tool {1}</source>
+        <translation>le projet n'a pas d'outil {1}</translation>
+    </message>
+    <message>
         <source>the project has no tools: add one</source>
         <translation>le projet n'a pas d'outils : en ajouter un</translation>
     </message>
@@ -6428,12 +7200,24 @@
         <translation>le rayon à la hauteur {1} est trop grand</translation>
     </message>
     <message>
+        <source>the radius has no word</source>
+        <translation>le rayon n'a pas de mot</translation>
+    </message>
+    <message>
         <source>the record has {1} values</source>
         <translation>l'enregistrement a {1} valeurs</translation>
     </message>
     <message>
         <source>the rework tool is not known</source>
         <translation>l'outil de reprise n'est pas connu</translation>
+    </message>
+    <message>
+        <source>the rotary axes are parallel: together they turn no further than one of them</source>
+        <translation>les axes rotatifs sont parallèles : ensemble ils ne tournent pas plus que l'un d'eux</translation>
+    </message>
+    <message>
+        <source>the rotary axes do not stand where the tilted plane is held</source>
+        <translation>les axes rotatifs ne sont pas où le plan incliné est tenu</translation>
     </message>
     <message>
         <source>the scan would have to move by {1} to fit</source>
@@ -6480,8 +7264,24 @@
         <translation>l'avance latérale demande plus de {1} tours</translation>
     </message>
     <message>
-        <source>the side feed of {1} leaves </source>
-        <translation>l'avance latérale de {1} laisse </translation>
+        <source>the side feed of {1} leaves cusps of {2}; the tolerance allows {3}</source>
+        <translation>l'avance latérale de {1} laisse des crêtes de {2} ; la tolérance permet {3}</translation>
+    </message>
+    <message>
+        <source>the side feed of {1} leaves places uncut; the tolerance allows {2}</source>
+        <translation>l'avance latérale de {1} laisse des endroits non usinés ; la tolérance permet {2}</translation>
+    </message>
+    <message>
+        <source>the spindle speed is not above 0</source>
+        <translation>la vitesse de broche n'est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>the spindle speed is out of range</source>
+        <translation>la vitesse de broche est hors limites</translation>
+    </message>
+    <message>
+        <source>the statement has too many values</source>
+        <translation>l'instruction a trop de valeurs</translation>
     </message>
     <message>
         <source>the step says no limit for pieces</source>
@@ -6528,8 +7328,8 @@
         <translation>le brut n'est pas là</translation>
     </message>
     <message>
-        <source>the stock's </source>
-        <translation>brut : </translation>
+        <source>the stock's {1}, {2}, {3}</source>
+        <translation>brut, {1}, {2}, {3}</translation>
     </message>
     <message>
         <source>the surface offset by vertices lets the cutter up to {1} (upright) into the allowance of {2}, most at {3}: use offset contact</source>
@@ -6540,16 +7340,20 @@
         <translation>les tableaux de la surface ne vont pas ensemble</translation>
     </message>
     <message>
-        <source>the tab</source>
-        <translation>l'attache</translation>
+        <source>the tab {1}</source>
+        <translation>l'attache {1}</translation>
     </message>
     <message>
         <source>the table below the stock</source>
         <translation>la table sous le brut</translation>
     </message>
     <message>
-        <source>the tabs</source>
-        <translation>les attaches</translation>
+        <source>the tabs {1}</source>
+        <translation>les attaches {1}</translation>
+    </message>
+    <message>
+        <source>the tape ends here, and the program is not at its end</source>
+        <translation>la bande finit ici, et le programme n'est pas à sa fin</translation>
     </message>
     <message>
         <source>the taper angle is out of range</source>
@@ -6576,6 +7380,10 @@
         <translation>le texte est en UTF-16 ou UTF-32</translation>
     </message>
     <message>
+        <source>the text is empty</source>
+        <translation>le texte est vide</translation>
+    </message>
+    <message>
         <source>the text is not UTF-8</source>
         <translation>le texte n'est pas en UTF-8</translation>
     </message>
@@ -6584,12 +7392,28 @@
         <translation>le texte n'est pas en UTF-8 : '{1}'</translation>
     </message>
     <message>
+        <source>the text is too long</source>
+        <translation>le texte est trop long</translation>
+    </message>
+    <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
         <translation>le texte d'un fichier STL ASCII contient des octets binaires</translation>
     </message>
     <message>
         <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
         <translation>la pointe est empêchée d'aller sous le fond du brut, de {1} au plus à {2} des points : autant y reste sur la surface, sauf si 'Sous le fond' le permet</translation>
+    </message>
+    <message>
+        <source>the tip is led in a tilted plane</source>
+        <translation>la pointe est guidée dans un plan incliné</translation>
+    </message>
+    <message>
+        <source>the tip is led on an arc</source>
+        <translation>la pointe est guidée sur un arc</translation>
+    </message>
+    <message>
+        <source>the tip is to be led and the tool's length is not called</source>
+        <translation>la pointe doit être guidée et la longueur de l'outil n'est pas appelée</translation>
     </message>
     <message>
         <source>the tolerance asks for</source>
@@ -6612,6 +7436,10 @@
         <translation>l'axe d'outil n'a pas de direction</translation>
     </message>
     <message>
+        <source>the tool axis has no length</source>
+        <translation>l'axe d'outil n'a pas de longueur</translation>
+    </message>
+    <message>
         <source>the tool axis has not length 1</source>
         <translation>l'axe d'outil n'est pas de longueur 1</translation>
     </message>
@@ -6620,8 +7448,16 @@
         <translation>l'axe d'outil n'est pas de longueur 1</translation>
     </message>
     <message>
+        <source>the tool axis is told as a vector, and nothing leads the tip</source>
+        <translation>l'axe d'outil est un vecteur, et rien ne guide la pointe</translation>
+    </message>
+    <message>
         <source>the tool axis of a 3-axis program is not +Z</source>
         <translation>l'axe d'outil d'un programme 3 axes n'est pas +Z</translation>
+    </message>
+    <message>
+        <source>the tool axis of {1} is zero</source>
+        <translation>l'axe d'outil de {1} est nul</translation>
     </message>
     <message>
         <source>the tool axis turns by half a turn at once</source>
@@ -6632,12 +7468,44 @@
         <translation>l'outil ne peut se tenir nulle part le long des {1} bandes que l'outil {2} a laissées</translation>
     </message>
     <message>
+        <source>the tool comes down and nothing says where an axis stands</source>
+        <translation>l'outil descend et rien ne dit où est un axe</translation>
+    </message>
+    <message>
+        <source>the tool comes down on an arc</source>
+        <translation>l'outil descend sur un arc</translation>
+    </message>
+    <message>
+        <source>the tool goes elsewhere before it goes home</source>
+        <translation>l'outil va ailleurs avant d'aller à son origine</translation>
+    </message>
+    <message>
+        <source>the tool goes up and aside at the same time</source>
+        <translation>l'outil monte et s'écarte en même temps</translation>
+    </message>
+    <message>
         <source>the tool has room there, and the machine's axes do not take it in; turn the part or take another machine</source>
         <translation>l'outil y a de la place, mais les axes de la machine ne l'atteignent pas ; tourner la pièce ou prendre une autre machine</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out</source>
-        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, {1} des passes sont donc omises</translation>
+        <source>the tool is changed in a tilted plane</source>
+        <translation>l'outil est changé dans un plan incliné</translation>
+    </message>
+    <message>
+        <source>the tool is changed where it stands, and not up</source>
+        <translation>l'outil est changé où il est, et pas en haut</translation>
+    </message>
+    <message>
+        <source>the tool is led by its tip from a place that is not known</source>
+        <translation>l'outil est guidé par sa pointe depuis un endroit inconnu</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it, or a tool that tilts (finish5)</source>
+        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises et {2} de la surface restent non usinés jusqu'à {3}, surtout en {4} : {5} suffirait, ou un outil qui s'incline (finish5)</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
+        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises : {2} suffirait, ou un outil qui s'incline (finish5)</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
@@ -6658,6 +7526,14 @@
     <message>
         <source>the tool leaves nothing that is thicker than that</source>
         <translation>l'outil ne laisse rien de plus épais</translation>
+    </message>
+    <message>
+        <source>the tool moves aside, and nothing says how high it is</source>
+        <translation>l'outil s'écarte, et rien ne dit à quelle hauteur il est</translation>
+    </message>
+    <message>
+        <source>the tool moves in a tilted plane, and its length is not called</source>
+        <translation>l'outil se déplace dans un plan incliné, et sa longueur n'est pas appelée</translation>
     </message>
     <message>
         <source>the tool number {1} occurs twice</source>
@@ -6740,6 +7616,10 @@
         <translation>la valeur {1} est trop grande</translation>
     </message>
     <message>
+        <source>the vector has no words</source>
+        <translation>le vecteur n'a pas de mots</translation>
+    </message>
+    <message>
         <source>the verification</source>
         <translation>la vérification</translation>
     </message>
@@ -6754,6 +7634,10 @@
     <message>
         <source>the version of the project file is missing</source>
         <translation>la version du fichier de projet manque</translation>
+    </message>
+    <message>
+        <source>the version, 1</source>
+        <translation>la version, 1</translation>
     </message>
     <message>
         <source>the vertex number</source>
@@ -6774,6 +7658,18 @@
     <message>
         <source>the word endsolid is missing and the mesh has {1} open edges</source>
         <translation>le mot endsolid manque et le maillage a {1} arêtes ouvertes</translation>
+    </message>
+    <message>
+        <source>the word {1} is not read: it changes the path</source>
+        <translation>le mot {1} n'est pas lu : il change le parcours</translation>
+    </message>
+    <message>
+        <source>the work coordinate system is {1}, and the part stands in {2}</source>
+        <translation>le système de coordonnées pièce est {1}, et la pièce est dans {2}</translation>
+    </message>
+    <message>
+        <source>the work coordinate system is {1}, and the project names none</source>
+        <translation>le système de coordonnées pièce est {1}, et le projet n'en nomme aucun</translation>
     </message>
     <message>
         <source>the {1} has no file</source>
@@ -6808,8 +7704,28 @@
         <translation>leur plan passe par le milieu de la pièce : il n'y a pas de côté où la poser</translation>
     </message>
     <message>
+        <source>there are more than two rotary axes</source>
+        <translation>il y a plus de deux axes rotatifs</translation>
+    </message>
+    <message>
+        <source>there are statements after FINI</source>
+        <translation>il y a des instructions après FINI</translation>
+    </message>
+    <message>
         <source>there are too many brackets</source>
         <translation>il y a trop de parenthèses</translation>
+    </message>
+    <message>
+        <source>there are too many lines</source>
+        <translation>il y a trop de lignes</translation>
+    </message>
+    <message>
+        <source>there are two axes {1}</source>
+        <translation>il y a deux axes {1}</translation>
+    </message>
+    <message>
+        <source>there is motion after END</source>
+        <translation>il y a des mouvements après END</translation>
     </message>
     <message>
         <source>there is no '='</source>
@@ -6828,12 +7744,20 @@
         <translation>il n'y a pas de point de contact {1} : l'opération en a {2}</translation>
     </message>
     <message>
+        <source>there is no feed</source>
+        <translation>il n'y a pas d'avance</translation>
+    </message>
+    <message>
         <source>there is no file {1}</source>
         <translation>il n'y a pas de fichier {1}</translation>
     </message>
     <message>
         <source>there is no key before '='</source>
         <translation>il n'y a pas de clé avant '='</translation>
+    </message>
+    <message>
+        <source>there is no motion at feed in the file</source>
+        <translation>il n'y a pas de mouvement en avance dans le fichier</translation>
     </message>
     <message>
         <source>there is no motion that cuts</source>
@@ -6880,6 +7804,18 @@
         <translation>il n'y a pas de brut</translation>
     </message>
     <message>
+        <source>there is no such end</source>
+        <translation>il n'y a pas de telle fin</translation>
+    </message>
+    <message>
+        <source>there is no such kind</source>
+        <translation>il n'y a pas de telle sorte</translation>
+    </message>
+    <message>
+        <source>there is no such plane</source>
+        <translation>il n'y a pas de tel plan</translation>
+    </message>
+    <message>
         <source>there is no such program</source>
         <translation>il n'y a pas de tel programme</translation>
     </message>
@@ -6888,12 +7824,20 @@
         <translation>il n'y a pas de tel programme{1}</translation>
     </message>
     <message>
+        <source>there is no such version</source>
+        <translation>il n'y a pas de telle version</translation>
+    </message>
+    <message>
         <source>there is no tool {1}</source>
         <translation>il n'y a pas d'outil {1}</translation>
     </message>
     <message>
         <source>there is no verdict in them</source>
         <translation>il n'y a pas de verdict dedans</translation>
+    </message>
+    <message>
+        <source>there is no word {{1}}</source>
+        <translation>il n'y a pas de mot {{1}}</translation>
     </message>
     <message>
         <source>there is no {1}</source>
@@ -6928,6 +7872,26 @@
         <translation>épaissir : à quelle distance derrière la feuille est son dos ; devant elle sous 0.</translation>
     </message>
     <message>
+        <source>this is no code</source>
+        <translation>ce n'est pas un code</translation>
+    </message>
+    <message>
+        <source>this is no code, or it has another meaning</source>
+        <translation>ce n'est pas un code, ou il a une autre signification</translation>
+    </message>
+    <message>
+        <source>this is no extension of a program</source>
+        <translation>ce n'est pas une extension de programme</translation>
+    </message>
+    <message>
+        <source>this is no letter</source>
+        <translation>ce n'est pas une lettre</translation>
+    </message>
+    <message>
+        <source>this is no other kind of comment</source>
+        <translation>ce n'est pas une autre sorte de commentaire</translation>
+    </message>
+    <message>
         <source>thousands or decimals? export the part again with decimal points</source>
         <translation>milliers ou décimales ? exporter de nouveau la pièce avec des points décimaux</translation>
     </message>
@@ -6938,6 +7902,10 @@
     <message>
         <source>tilt the tool less</source>
         <translation>moins incliner l'outil</translation>
+    </message>
+    <message>
+        <source>tilted planes are for controls that know the kinematics</source>
+        <translation>les plans inclinés sont pour les commandes qui connaissent la cinématique</translation>
     </message>
     <message>
         <source>tip</source>
@@ -7036,12 +8004,20 @@
         <translation>orienter</translation>
     </message>
     <message>
+        <source>turn it in a block of its own</source>
+        <translation>le tourner dans un bloc à part</translation>
+    </message>
+    <message>
         <source>turn the part</source>
         <translation>tourner la pièce</translation>
     </message>
     <message>
         <source>turns by half a turn in one motion</source>
         <translation>tourne d'un demi-tour en un mouvement</translation>
+    </message>
+    <message>
+        <source>two kinds of motion in one block</source>
+        <translation>deux sortes de mouvement dans un bloc</translation>
     </message>
     <message>
         <source>two measures are multiplied</source>
@@ -7054,6 +8030,10 @@
     <message>
         <source>two programs would have the name '{1}'</source>
         <translation>deux programmes porteraient le nom '{1}'</translation>
+    </message>
+    <message>
+        <source>two work coordinate systems in '{1}'</source>
+        <translation>deux systèmes de coordonnées pièce dans '{1}'</translation>
     </message>
     <message>
         <source>unexpected end of input</source>
@@ -7130,6 +8110,10 @@
     <message>
         <source>up to {1} stays above the allowance; the tolerance is {2}</source>
         <translation>jusqu'à {1} reste au-dessus de la surépaisseur ; la tolérance est {2}</translation>
+    </message>
+    <message>
+        <source>update Facetmill</source>
+        <translation>mettre Facetmill à jour</translation>
     </message>
     <message>
         <source>use .fmtools, .fctb, .fctl, .fcholder, .json, .tools or .tbl</source>
@@ -7244,6 +8228,10 @@
         <translation>utiliser des minuscules et _</translation>
     </message>
     <message>
+        <source>value {1} of {2}, '{3}', is not a number</source>
+        <translation>la valeur {1} de {2}, '{3}', n'est pas un nombre</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>sommets</translation>
     </message>
@@ -7262,6 +8250,10 @@
     <message>
         <source>was made without a tool</source>
         <translation>a été fait sans outil</translation>
+    </message>
+    <message>
+        <source>what begins with ( ends with ), what begins with ; with the line</source>
+        <translation>ce qui commence par ( finit par ), ce qui commence par ; avec la ligne</translation>
     </message>
     <message>
         <source>what holds the stock from below</source>
@@ -7328,48 +8320,252 @@
         <translation>écrire "mm" ou "in"</translation>
     </message>
     <message>
+        <source>write "planes": ["xy"] and "helix": false</source>
+        <translation>écrire "planes": ["xy"] et "helix": false</translation>
+    </message>
+    <message>
+        <source>write '%' first and last alone</source>
+        <translation>n'écrire '%' qu'en premier et en dernier</translation>
+    </message>
+    <message>
+        <source>write '{1}.'</source>
+        <translation>écrire '{1}.'</translation>
+    </message>
+    <message>
+        <source>write 1 or -1</source>
+        <translation>écrire 1 ou -1</translation>
+    </message>
+    <message>
+        <source>write 1: the version of the file</source>
+        <translation>écrire 1 : la version du fichier</translation>
+    </message>
+    <message>
+        <source>write ASCII</source>
+        <translation>écrire en ASCII</translation>
+    </message>
+    <message>
+        <source>write CUTTER/d,r,e,f,alpha,beta,h</source>
+        <translation>écrire CUTTER/d,r,e,f,alpha,beta,h</translation>
+    </message>
+    <message>
+        <source>write GODLTA/dx,dy,dz or GODLTA/d</source>
+        <translation>écrire GODLTA/dx,dy,dz ou GODLTA/d</translation>
+    </message>
+    <message>
         <source>write NAME.key=value, as in Finish.tolerance=0.01</source>
         <translation>écrire NOM.clé=valeur, comme Finish.tolerance=0.01</translation>
+    </message>
+    <message>
+        <source>write TLAXIS/i,j,k</source>
+        <translation>écrire TLAXIS/i,j,k</translation>
+    </message>
+    <message>
+        <source>write UNITS/MM or UNITS/INCHES</source>
+        <translation>écrire UNITS/MM ou UNITS/INCHES</translation>
+    </message>
+    <message>
+        <source>write WORD/values</source>
+        <translation>écrire MOT/valeurs</translation>
+    </message>
+    <message>
+        <source>write [lowest, highest], or leave it out for no limit</source>
+        <translation>écrire [plus bas, plus haut], ou l'omettre pour aucune limite</translation>
+    </message>
+    <message>
+        <source>write a dot and letters, as .ngc</source>
+        <translation>écrire un point et des lettres, comme .ngc</translation>
     </message>
     <message>
         <source>write a name without slashes</source>
         <translation>écrire un nom sans barres obliques</translation>
     </message>
     <message>
+        <source>write a number above 0, or leave it out</source>
+        <translation>écrire un nombre supérieur à 0, ou l'omettre</translation>
+    </message>
+    <message>
         <source>write a number of ordinary size</source>
         <translation>écrire un nombre de taille ordinaire</translation>
+    </message>
+    <message>
+        <source>write a point on the rotation axis</source>
+        <translation>écrire un point de l'axe de rotation</translation>
+    </message>
+    <message>
+        <source>write a straight motion</source>
+        <translation>écrire un mouvement droit</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>écrire un nombre entier</translation>
+    </message>
+    <message>
+        <source>write all of its lines</source>
+        <translation>écrire toutes ses lignes</translation>
+    </message>
+    <message>
+        <source>write both in one line</source>
+        <translation>écrire les deux dans une ligne</translation>
+    </message>
+    <message>
+        <source>write decimal numbers</source>
+        <translation>écrire des nombres décimaux</translation>
+    </message>
+    <message>
+        <source>write decimal numbers; formulas and variables are not read</source>
+        <translation>écrire des nombres décimaux ; formules et variables ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>write it</source>
+        <translation>l'écrire</translation>
+    </message>
+    <message>
+        <source>write it as G1, G43.4 or TRAORI</source>
+        <translation>l'écrire comme G1, G43.4 ou TRAORI</translation>
+    </message>
+    <message>
+        <source>write it as G54</source>
+        <translation>l'écrire comme G54</translation>
     </message>
     <message>
         <source>write it on one line without them</source>
         <translation>l'écrire sur une ligne sans eux</translation>
     </message>
     <message>
+        <source>write it once</source>
+        <translation>l'écrire une fois</translation>
+    </message>
+    <message>
+        <source>write it with the dot: .ngc</source>
+        <translation>l'écrire avec le point : .ngc</translation>
+    </message>
+    <message>
+        <source>write its place behind it</source>
+        <translation>écrire sa place derrière</translation>
+    </message>
+    <message>
+        <source>write letters with decimal numbers</source>
+        <translation>écrire des lettres avec des nombres décimaux</translation>
+    </message>
+    <message>
+        <source>write letters, or letters and digits that end with '='</source>
+        <translation>écrire des lettres, ou des lettres et chiffres terminés par '='</translation>
+    </message>
+    <message>
+        <source>write lf or crlf</source>
+        <translation>écrire lf ou crlf</translation>
+    </message>
+    <message>
         <source>write numbers and ranges in ascending order, as 0-57, 60</source>
         <translation>écrire numéros et plages en ordre croissant, comme 0-57, 60</translation>
+    </message>
+    <message>
+        <source>write one ( and one )</source>
+        <translation>écrire une ( et une )</translation>
+    </message>
+    <message>
+        <source>write one letter, or nothing</source>
+        <translation>écrire une lettre, ou rien</translation>
+    </message>
+    <message>
+        <source>write one of them</source>
+        <translation>écrire l'un d'eux</translation>
+    </message>
+    <message>
+        <source>write one of: {1}</source>
+        <translation>écrire l'un de : {1}</translation>
     </message>
     <message>
         <source>write one program for each operation: "programs": "each"</source>
         <translation>écrire un programme par opération : "programs": "each"</translation>
     </message>
     <message>
-        <source>write smooth or flat</source>
-        <translation>écrivez lisse ou plat</translation>
+        <source>write some of: {1}</source>
+        <translation>écrire quelques-uns de : {1}</translation>
+    </message>
+    <message>
+        <source>write straight motions</source>
+        <translation>écrire des mouvements droits</translation>
+    </message>
+    <message>
+        <source>write the direction of the rotation axis, as [1, 0, 0]</source>
+        <translation>écrire la direction de l'axe de rotation, comme [1, 0, 0]</translation>
+    </message>
+    <message>
+        <source>write the letters: { "x": "X", ... }</source>
+        <translation>écrire les lettres : { "x": "X", ... }</translation>
+    </message>
+    <message>
+        <source>write the lines</source>
+        <translation>écrire les lignes</translation>
+    </message>
+    <message>
+        <source>write the lower limit first</source>
+        <translation>écrire d'abord la limite basse</translation>
+    </message>
+    <message>
+        <source>write the other one of ( and ;, or leave it out</source>
+        <translation>écrire l'autre de ( et ;, ou l'omettre</translation>
     </message>
     <message>
         <source>write the part in pieces</source>
         <translation>écrire la pièce en morceaux</translation>
     </message>
     <message>
+        <source>write the tool's number before it</source>
+        <translation>écrire le numéro de l'outil avant</translation>
+    </message>
+    <message>
         <source>write to another file or folder</source>
         <translation>écrire dans un autre fichier ou dossier</translation>
+    </message>
+    <message>
+        <source>write what the codes mean: { "G0": "rapid", ... }</source>
+        <translation>écrire ce que les codes signifient : { "G0": "rapid", ... }</translation>
+    </message>
+    <message>
+        <source>write where the middle of the part's bottom stands</source>
+        <translation>écrire où est le milieu du fond de la pièce</translation>
     </message>
     <message>
         <source>write {1}</source>
         <translation>écrire {1}</translation>
     </message>
     <message>
+        <source>write {1} and the tool's number</source>
+        <translation>écrire {1} et le numéro de l'outil</translation>
+    </message>
+    <message>
+        <source>write {1} at the start</source>
+        <translation>écrire {1} au début</translation>
+    </message>
+    <message>
+        <source>write {1} before it</source>
+        <translation>écrire {1} avant</translation>
+    </message>
+    <message>
         <source>write {1} or more</source>
         <translation>écrire {1} ou plus</translation>
+    </message>
+    <message>
+        <source>write {1} or {2}</source>
+        <translation>écrire {1} ou {2}</translation>
+    </message>
+    <message>
+        <source>write {1} or {2} at the start</source>
+        <translation>écrire {1} ou {2} au début</translation>
+    </message>
+    <message>
+        <source>write {1}/number</source>
+        <translation>écrire {1}/numéro</translation>
+    </message>
+    <message>
+        <source>write {1}/x,y,z or {2}/x,y,z,i,j,k</source>
+        <translation>écrire {1}/x,y,z ou {2}/x,y,z,i,j,k</translation>
+    </message>
+    <message>
+        <source>write {word}</source>
+        <translation>écrire {word}</translation>
     </message>
     <message>
         <source>x</source>
@@ -7382,6 +8578,10 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>origine</translation>
     </message>
     <message>
         <source>zigzag</source>
@@ -7416,6 +8616,14 @@
         <translation>{1} % des bandes restent non usinés{2}, comme à {3}</translation>
     </message>
     <message>
+        <source>{1} % of {2}</source>
+        <translation>{1} % de {2}</translation>
+    </message>
+    <message>
+        <source>{1} (line {2})</source>
+        <translation>{1} (ligne {2})</translation>
+    </message>
+    <message>
         <source>{1} ({2} of {3})</source>
         <translation>{1} ({2} sur {3})</translation>
     </message>
@@ -7428,24 +8636,28 @@
         <translation>{1} et le fichier finit là</translation>
     </message>
     <message>
+        <source>{1} and {2} more</source>
+        <translation>{1} et {2} autres</translation>
+    </message>
+    <message>
+        <source>{1} and {2} to avoid</source>
+        <translation>{1} et {2}, à éviter</translation>
+    </message>
+    <message>
         <source>{1} are switched off and not cut</source>
         <translation>{1} sont désactivées et ne sont pas usinées</translation>
     </message>
     <message>
-        <source>{1} collision, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>{1} collision, la plus profonde {2} par un rapide{3} ({4})</translation>
+        <source>{1} by {2} ({3})</source>
+        <translation>{1} par {2} ({3})</translation>
     </message>
     <message>
-        <source>{1} collision, the deepest {2} by the {3} ({4})</source>
-        <translation>{1} collision, la plus profonde {2} par {3} ({4})</translation>
+        <source>{1} cannot turn about {2}</source>
+        <translation>{1} ne peut pas tourner autour de {2}</translation>
     </message>
     <message>
-        <source>{1} collisions, the deepest {2} by a rapid{3} ({4})</source>
-        <translation>{1} collisions, la plus profonde {2} par un rapide{3} ({4})</translation>
-    </message>
-    <message>
-        <source>{1} collisions, the deepest {2} by the {3} ({4})</source>
-        <translation>{1} collisions, la plus profonde {2} par {3} ({4})</translation>
+        <source>{1} collisions, the deepest {2}</source>
+        <translation>{1} collisions, la plus profonde de {2}</translation>
     </message>
     <message>
         <source>{1} contact point was left by operations before</source>
@@ -7508,6 +8720,10 @@
         <translation>{1} n'a rien dit pendant {2} s et a été arrêté</translation>
     </message>
     <message>
+        <source>{1} has {2} values</source>
+        <translation>{1} a {2} valeurs</translation>
+    </message>
+    <message>
         <source>{1} inclines the tool, and the machine '{2}' has no rotary axis</source>
         <translation>{1} incline l'outil, et la machine '{2}' n'a pas d'axe rotatif</translation>
     </message>
@@ -7524,12 +8740,20 @@
         <translation>{1} n'est pas un nombre</translation>
     </message>
     <message>
+        <source>{1} is no sign</source>
+        <translation>{1} n'est pas un signe</translation>
+    </message>
+    <message>
         <source>{1} is no whole number</source>
         <translation>{1} n'est pas un nombre entier</translation>
     </message>
     <message>
         <source>{1} is not a finite number</source>
         <translation>{1} n'est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>{1} is not above 0, or too large</source>
+        <translation>{1} n'est pas supérieur à 0, ou trop grand</translation>
     </message>
     <message>
         <source>{1} is not carried</source>
@@ -7548,12 +8772,20 @@
         <translation>{1} est {2}, pas un nombre entier</translation>
     </message>
     <message>
-        <source>{1} lines per turn leave </source>
-        <translation>{1} lignes par tour laissent </translation>
+        <source>{1} lines per turn leave cusps of {2}; the tolerance allows {3}</source>
+        <translation>{1} lignes par tour laissent des crêtes de {2} ; la tolérance permet {3}</translation>
+    </message>
+    <message>
+        <source>{1} lines per turn leave places uncut; the tolerance allows {2}</source>
+        <translation>{1} lignes par tour laissent des endroits non usinés ; la tolérance permet {2}</translation>
     </message>
     <message>
         <source>{1} makes {2} rays through the stock, more than {3}</source>
         <translation>{1} fait {2} rayons par le brut, plus de {3}</translation>
+    </message>
+    <message>
+        <source>{1} makes {2} turns in one block, and {3} are the most</source>
+        <translation>{1} fait {2} tours dans un bloc, et {3} est le maximum</translation>
     </message>
     <message>
         <source>{1} min</source>
@@ -7578,6 +8810,10 @@
     <message>
         <source>{1} more than {2} drive planes</source>
         <translation>{1} plus de {2} plans directeurs</translation>
+    </message>
+    <message>
+        <source>{1} names no tool</source>
+        <translation>{1} ne nomme pas d'outil</translation>
     </message>
     <message>
         <source>{1} needs about {2} GB for the stock, more than {3} GB</source>
@@ -7632,6 +8868,10 @@
         <translation>{1} des {2} plans directeurs croisent des endroits où aucun pas latéral ne tient la tolérance</translation>
     </message>
     <message>
+        <source>{1} or {2}</source>
+        <translation>{1} ou {2}</translation>
+    </message>
+    <message>
         <source>{1} pieces of the stock, up to {2} long, come off, the first at {3}.</source>
         <translation>{1} morceaux du brut, longs de {2} au plus, se détachent, le premier à {3}.</translation>
     </message>
@@ -7680,6 +8920,14 @@
         <translation>{1} à {2}</translation>
     </message>
     <message>
+        <source>{1} turns the part about the axis of the tool, which nothing inclines</source>
+        <translation>{1} tourne la pièce autour de l'axe de l'outil, que rien n'incline</translation>
+    </message>
+    <message>
+        <source>{1} turns the tool about its own axis</source>
+        <translation>{1} tourne l'outil autour de son propre axe</translation>
+    </message>
+    <message>
         <source>{1} values or colours do not fit {2} vertices</source>
         <translation>{1} valeurs ou couleurs ne vont pas avec {2} sommets</translation>
     </message>
@@ -7692,8 +8940,20 @@
         <translation>{1} : gênerait {2} des passes, qui sont omises</translation>
     </message>
     <message>
+        <source>{1} would stand at {2}, and its travel is {3} to {4}</source>
+        <translation>{1} serait à {2}, et sa course va de {3} à {4}</translation>
+    </message>
+    <message>
         <source>{1} {2} is not possible</source>
         <translation>{1} {2} n'est pas possible</translation>
+    </message>
+    <message>
+        <source>{1} · no tool yet</source>
+        <translation>{1} · encore sans outil</translation>
+    </message>
+    <message>
+        <source>{1} · tool {2}</source>
+        <translation>{1} · outil {2}</translation>
     </message>
     <message>
         <source>{1} × {2} pixels</source>
@@ -7712,12 +8972,20 @@
         <translation>{1}, ligne {2}</translation>
     </message>
     <message>
+        <source>{1}, operation {2}</source>
+        <translation>{1}, opération {2}</translation>
+    </message>
+    <message>
         <source>{1}, or raise the lead limit</source>
         <translation>{1}, ou relever la limite d'attaque</translation>
     </message>
     <message>
         <source>{1}, pixel {2}, {3}</source>
         <translation>{1}, pixel {2}, {3}</translation>
+    </message>
+    <message>
+        <source>{1}, tool {2}</source>
+        <translation>{1}, outil {2}</translation>
     </message>
     <message>
         <source>{1}, vertex {2}</source>
@@ -7730,6 +8998,10 @@
     <message>
         <source>{1}, {2} to {3} along the axis</source>
         <translation>{1}, de {2} à {3} le long de l'axe</translation>
+    </message>
+    <message>
+        <source>{1}/{2} changes the path</source>
+        <translation>{1}/{2} change le parcours</translation>
     </message>
     <message>
         <source>{1}: CUTTER</source>
@@ -7766,10 +9038,6 @@
     <message>
         <source>{1}: {2} of passes{3}</source>
         <translation>{1} : {2} des passes{3}</translation>
-    </message>
-    <message>
-        <source>{1}: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>{1} : {2} y arriverait, ou un outil qui s'incline (finish5)</translation>
     </message>
     <message>
         <source>{1}: {2} {3}² ({4} of the surface), where it stays up to {5} away, at {6}: {7}</source>
@@ -7882,13 +9150,13 @@
         <source>%1 can be read in two ways</source>
         <translation>%1 peut se lire de deux façons</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 collisions</source>
-        <translation>%1 collisions</translation>
+        <translation><numerusform>%1 collision</numerusform><numerusform>%1 collisions</numerusform></translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 corners</source>
-        <translation>%1 sommets</translation>
+        <translation><numerusform>%1 sommet</numerusform><numerusform>%1 sommets</numerusform></translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7910,9 +9178,9 @@
         <source>%1 kept as “%2”</source>
         <translation>%1 gardés sous « %2 »</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 layers</source>
-        <translation>%1 niveaux</translation>
+        <translation><numerusform>%1 niveau</numerusform><numerusform>%1 niveaux</numerusform></translation>
     </message>
     <message>
         <source>%1 long</source>
@@ -7958,9 +9226,9 @@
         <source>%1 programs (*%2);;All files (*)</source>
         <translation>Programmes %1 (*%2);;Tous les fichiers (*)</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 regions</source>
-        <translation>%1 zones</translation>
+        <translation><numerusform>%1 zone</numerusform><numerusform>%1 zones</numerusform></translation>
     </message>
     <message>
         <source>%1 s left</source>
@@ -7974,9 +9242,9 @@
         <source>%1 setups as one job, as posted, %2 blocks</source>
         <translation>%1 posages en un seul travail, tels que post-traités, %2 blocs</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 smaller ones</source>
-        <translation>%1 plus petits</translation>
+        <translation><numerusform>%1 plus petit</numerusform><numerusform>%1 plus petits</numerusform></translation>
     </message>
     <message>
         <source>%1 strips, all of them cut</source>
@@ -7990,9 +9258,9 @@
         <source>%1 to %2: %3</source>
         <translation>%1 à %2 : %3</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 tools</source>
-        <translation>%1 outils</translation>
+        <translation><numerusform>%1 outil</numerusform><numerusform>%1 outils</numerusform></translation>
     </message>
     <message>
         <source>%1 wide, %2 long</source>
@@ -8006,9 +9274,9 @@
         <source>%1, %2 % of the surface</source>
         <translation>%1, %2 % de la surface</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1, %2 passes</source>
-        <translation>%1, %2 passes</translation>
+        <translation><numerusform>%1, %2 passe</numerusform><numerusform>%1, %2 passes</numerusform></translation>
     </message>
     <message>
         <source>%1, or a Facetmill project</source>
@@ -8343,28 +9611,12 @@
         <translation>0° : vertical, 90° : horizontal, 180° : par dessous</translation>
     </message>
     <message>
-        <source>1 collision</source>
-        <translation>1 collision</translation>
-    </message>
-    <message>
-        <source>1 layer</source>
-        <translation>1 niveau</translation>
-    </message>
-    <message>
-        <source>1 region</source>
-        <translation>1 zone</translation>
-    </message>
-    <message>
         <source>1 strip, cut</source>
         <translation>1 bande, usinée</translation>
     </message>
     <message>
         <source>1 strip, switched off</source>
         <translation>1 bande, désactivée</translation>
-    </message>
-    <message>
-        <source>1 tool</source>
-        <translation>1 outil</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -9043,6 +10295,10 @@
         <translation>Ctrl+Z, Ctrl+Maj+Z</translation>
     </message>
     <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
         <source>Cut a model of the stock with all operations and compare it with the part (F6)</source>
         <translation>Usiner un modèle du brut avec toutes les opérations et le comparer à la pièce (F6)</translation>
     </message>
@@ -9433,6 +10689,10 @@
     <message>
         <source>F7 … F10</source>
         <translation>F7 … F10</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
     </message>
     <message>
         <source>Faces of the file</source>
@@ -10587,6 +11847,10 @@
         <translation>Peindre ce que l'anneau touche</translation>
     </message>
     <message>
+        <source>Painted</source>
+        <translation>Peinte</translation>
+    </message>
+    <message>
         <source>Painted facets</source>
         <translation>Facettes peintes</translation>
     </message>
@@ -10754,9 +12018,9 @@
         <source>Planned in</source>
         <translation>Planifié en</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</source>
-        <translation>« %1 » planifié en %2 : %3 passes, longueur de coupe %4, temps d'usinage %5.</translation>
+        <translation><numerusform>« %1 » planifié en %2 : %3 passe, longueur de coupe %4, temps d'usinage %5.</numerusform><numerusform>« %1 » planifié en %2 : %3 passes, longueur de coupe %4, temps d'usinage %5.</numerusform></translation>
     </message>
     <message>
         <source>Planned: </source>
@@ -10806,13 +12070,9 @@
         <source>Press Plan (F5) to plan it.</source>
         <translation>Planifier (F5) pour la planifier.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Preview: %1 layers</source>
-        <translation>Aperçu : %1 niveaux</translation>
-    </message>
-    <message>
-        <source>Preview: 1 layer</source>
-        <translation>Aperçu : 1 niveau</translation>
+        <translation><numerusform>Aperçu : %1 niveau</numerusform><numerusform>Aperçu : %1 niveaux</numerusform></translation>
     </message>
     <message>
         <source>Previous tool at the picked point</source>
@@ -11019,6 +12279,10 @@
         <translation>Résolution</translation>
     </message>
     <message>
+        <source>Rest</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
         <source>Rest material</source>
         <translation>Matière restante</translation>
     </message>
@@ -11114,13 +12378,9 @@
         <source>Scan room</source>
         <translation>Atelier de scan</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Scan room: %1 steps…</source>
-        <translation>Atelier de scan : %1 étapes…</translation>
-    </message>
-    <message>
-        <source>Scan room: 1 step…</source>
-        <translation>Atelier de scan : 1 étape…</translation>
+        <translation><numerusform>Atelier de scan : %1 étape…</numerusform><numerusform>Atelier de scan : %1 étapes…</numerusform></translation>
     </message>
     <message>
         <source>Scan room…</source>
@@ -11257,6 +12517,10 @@
     <message>
         <source>Side feed</source>
         <translation>Avance latérale</translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation>Silhouette</translation>
     </message>
     <message>
         <source>Silhouette of the part</source>
@@ -12347,7 +13611,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>%1 écrit.</translation>
     </message>
     <message numerus="yes">
-        <source>Wrote %n file(s) into %1.</source>
+        <source>Wrote %n files into %1.</source>
         <translation><numerusform>%n fichier écrit dans %1.</numerusform><numerusform>%n fichiers écrits dans %1.</numerusform></translation>
     </message>
     <message>

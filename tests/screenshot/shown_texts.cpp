@@ -147,14 +147,14 @@ bool EnglishTexts::is_of(const QString& shown, const Template& one) const {
 QString EnglishTexts::in(const QString& shown) const {
     static const QRegularExpression point(QStringLiteral("(?<![\\w.])\\d+\\.\\d+(?![\\w.])"));
     // Versions are no numbers.
-    static const QRegularExpression version(QStringLiteral("\\b(Grbl|Apache\\S* \\S+|G54) \\d+\\.\\d+"));
+    static const QRegularExpression version(QStringLiteral("\\b(Grbl |Apache\\D{0,12}|G54 ?)\\d+\\.\\d+"));
     QString words = bare(shown);
     words.remove(version);
     if (const auto number = point.match(words); number.hasMatch())
         return QStringLiteral("“%1”: %2").arg(words.left(120), number.captured());
     // Operations are called in programs what they are called here, which machines' controls show: in English
     // at first.
-    if (translated_.contains(words) || words == QLatin1String("Global-local CM²")) return {};
+    if (translated_.contains(words) || words == QStringLiteral("Global-local CM²")) return {};
     if (plain_.contains(words)) return QStringLiteral("“%1”").arg(words.left(120));
     for (const Template& one : templates_)
         if (is_of(words, one))

@@ -1,75 +1,33 @@
 // The window in other languages: every text of core is known in them, messages keep what fills their places,
-// numbers are written and read the user's way, and nothing is cut where texts are longer.
+// numbers are written and read the user's way. That nothing is cut is asked by test_window_layout.cpp.
 #include "core/job/project.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
-#include "tests/screenshot/cut_texts.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/document.h"
 #include "ui/language.h"
 #include "ui/parameter_editor.h"
 #include "ui/preferences_dialog.h"
 #include "ui/project_tree.h"
+#include "ui/rough_controller.h"
 #include "ui/settings.h"
 #include "ui/text.h"
-#include "ui/tool_dialog.h"
-#include "ui/tool_library_dialog.h"
 #include "ui/value_words.h"
-#include "ui/window_docks.h"
 #include "ui/worded.h"
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QFile>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTest>
-#include <QTranslator>
 
 using namespace facetmill;
 using namespace facetmill::test;
 using ui::TreeNode;
 
 namespace {
-
-/// Every text with accents and 40 % longer: what no layout has been drawn for.
-class LongTexts : public QTranslator {
-public:
-    QString translate(const char* context, const char* source, const char*, int) const override {
-        const QLatin1String asked(context ? context : "");
-        if (asked.startsWith(QLatin1Char('Q')) && asked != QLatin1String("QObject")) return {};
-        return lengthened(QString::fromUtf8(source));
-    }
-    bool isEmpty() const override { return false; }
-
-    static QString lengthened(const QString& text) {
-        static const QRegularExpression kept(
-            QStringLiteral("%L?\\d|%n|\\{\\d+\\}|&\\w|<[^>]*>|`[^`]*`|\\*\\.\\w+|;;"));
-        static const QRegularExpression letters(QStringLiteral("[A-Za-z]{3,}"));
-        if (!text.contains(letters)) return text;
-        QString spoken = text;
-        for (qsizetype i = 0; i < spoken.size(); ++i) {
-            const auto at = kept.match(spoken, i, QRegularExpression::NormalMatch,
-                                       QRegularExpression::AnchorAtOffsetMatchOption);
-            if (at.hasMatch())
-                i += at.capturedLength() - 1;
-            else if (const qsizetype k = QStringLiteral("aeiou").indexOf(spoken[i]); k >= 0)
-                spoken[i] = QStringLiteral("äéîöû")[k];
-        }
-        // Behind the last letter, so that dots, colons and blanks at the end stay there.
-        static const QRegularExpression end(QStringLiteral("[\\s.:;,…)*]*$"));
-        const qsizetype more = (text.size() * 4 + 9) / 10;
-        QString filler;
-        while (filler.size() < more)
-            filler += filler.size() % 9 == 0 ? QChar(' ') : QChar(0x00F6);
-        const qsizetype tail = end.match(spoken).capturedStart();
-        // Words of menus and buttons grow as words do; a blank first would break them in two.
-        return spoken.left(tail) + (more < 6 ? filler.mid(0).replace(QChar(' '), QChar(0x00F6)) : filler)
-               + spoken.mid(tail);
-    }
-};
 
 /// All described parameters of projects, with those of their lists.
 std::vector<const ParameterInfo*> all_parameters() {
@@ -117,42 +75,6 @@ QString filled(const QString& id, QStringList& values) {
 
 class TestWindowLanguages : public QObject, public WindowFixture {
     Q_OBJECT
-
-    /// Opens every dock of the window, one after the other, and every kind of node in the tree, and tells
-    /// what is cut in `cut`.
-    void go_through(const QString& language, QSize size, QStringList& cut) {
-        QVERIFY(show_window() && open_part());
-        w().resize(size);
-        QVERIFY(wait_until_settled(w()));
-        const auto look = [&](const QWidget& at, const QString& where) {
-            for (const QString& line : found_at_rest([&] { return cut_texts(at); }))
-                cut << where + QStringLiteral(": ") + line;
-        };
-        for (const TreeNode& node : {TreeNode{TreeNode::Kind::part, 0},
-                                     {TreeNode::Kind::stock, 0},
-                                     {TreeNode::Kind::operation, 0},
-                                     {TreeNode::Kind::tool, 0},
-                                     {TreeNode::Kind::limits, 0}}) {
-            w().tree().select(node);
-            QVERIFY(wait_until_settled(w()));
-            look(w(), QStringLiteral("node %1").arg(int(node.kind)));
-        }
-        for (QDockWidget* dock : w().findChildren<QDockWidget*>()) {
-            dock->show();
-            dock->raise();
-            QVERIFY(wait_until_settled(w()));
-            look(w(), dock->objectName());
-        }
-        shot(w(), QStringLiteral("language-%1-%2").arg(language).arg(size.width()));
-    }
-
-    void look_at_dialogs(QStringList& cut) {
-        ui::PreferencesDialog preferences;
-        preferences.show();
-        QVERIFY(activate(preferences));
-        cut << cut_texts(preferences);
-        shot(preferences, QStringLiteral("language-preferences-") + ui::spoken_language());
-    }
 
 private slots:
     void cleanup() {
@@ -303,6 +225,32 @@ private slots:
         QVERIFY2(twice.isEmpty(), qPrintable(twice.join(QChar('\n'))));
     }
 
+    void a_number_decides_between_forms_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("none");
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("three");
+        QTest::newRow("en") << QStringLiteral("en") << QStringLiteral("0 files, 0 layers")
+                            << QStringLiteral("1 file, 1 layer") << QStringLiteral("3 files, 3 layers");
+        QTest::newRow("de") << QStringLiteral("de") << QStringLiteral("0 Dateien, 0 Ebenen")
+                            << QStringLiteral("1 Datei, 1 Ebene") << QStringLiteral("3 Dateien, 3 Ebenen");
+        QTest::newRow("fr") << QStringLiteral("fr") << QStringLiteral("0 fichier, 0 niveau")
+                            << QStringLiteral("1 fichier, 1 niveau")
+                            << QStringLiteral("3 fichiers, 3 niveaux");
+    }
+    void a_number_decides_between_forms() {
+        QFETCH(QString, language);
+        ui::speak(language);
+        const auto said = [](int n) {
+            static const QRegularExpression files(QStringLiteral("\\d \\w+"));
+            return files.match(ui::ProgramExport::tr("Wrote %n files into %1.", nullptr, n)).captured()
+                   + QStringLiteral(", ") + ui::RoughController::tr("%1 layers", nullptr, n).arg(n);
+        };
+        QTEST(said(0), "none");
+        QTEST(said(1), "one");
+        QTEST(said(3), "three");
+    }
+
     void the_language_is_chosen_in_the_preferences() {
         ui::PreferencesDialog dialog;
         auto* box = dialog.findChild<QComboBox*>(QStringLiteral("language"));
@@ -313,26 +261,6 @@ private slots:
         QCOMPARE(ui::settings::language(), QStringLiteral("fr"));
         QCOMPARE(ui::language_for(ui::settings::language()), QStringLiteral("fr"));
         QCOMPARE(ui::language_for(QStringLiteral("xx")), ui::language_for(QString()));
-    }
-
-    void nothing_is_cut_in_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QSize>("size");
-        for (const char* language : {"de", "fr", "long"})
-            QTest::newRow(language) << QString::fromLatin1(language) << QSize(1280, 800);
-    }
-    void nothing_is_cut_in() {
-        QFETCH(QString, language);
-        QFETCH(QSize, size);
-        if (language == QLatin1String("long"))
-            ui::speak_by(std::make_unique<LongTexts>(), QLocale::c());
-        else
-            ui::speak(language);
-        QStringList cut;
-        go_through(language, size, cut);
-        look_at_dialogs(cut);
-        cut.removeDuplicates();
-        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QChar('\n'))));
     }
 };
 

@@ -1,0 +1,55 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>facetmill</name>
+    <message numerus="yes">
+        <source>%1 collisions</source>
+        <translation><numerusform>%1 collision</numerusform><numerusform>%1 collisions</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 corners</source>
+        <translation><numerusform>%1 corner</numerusform><numerusform>%1 corners</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 layers</source>
+        <translation><numerusform>%1 layer</numerusform><numerusform>%1 layers</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 regions</source>
+        <translation><numerusform>%1 region</numerusform><numerusform>%1 regions</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 smaller ones</source>
+        <translation><numerusform>%1 smaller one</numerusform><numerusform>%1 smaller ones</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tools</source>
+        <translation><numerusform>%1 tool</numerusform><numerusform>%1 tools</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %2 passes</source>
+        <translation><numerusform>%1, %2 pass</numerusform><numerusform>%1, %2 passes</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation><numerusform>%n more</numerusform><numerusform>%n more</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</source>
+        <translation><numerusform>Planned “%1” in %2: %3 pass, cut length %4, machining time %5.</numerusform><numerusform>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview: %1 layers</source>
+        <translation><numerusform>Preview: %1 layer</numerusform><numerusform>Preview: %1 layers</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Scan room: %1 steps…</source>
+        <translation><numerusform>Scan room: %1 step…</numerusform><numerusform>Scan room: %1 steps…</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n files into %1.</source>
+        <translation><numerusform>Wrote %n file into %1.</numerusform><numerusform>Wrote %n files into %1.</numerusform></translation>
+    </message>
+</context>
+</TS>
