@@ -7,6 +7,7 @@
 #include "core/output/apt.h"
 #include "ui/export.h"
 #include "ui/export_dialog.h"
+#include "ui/language.h"
 #include "ui/mesh_export.h"
 #include "ui/messages.h"
 #include "ui/properties_panel.h"
@@ -173,7 +174,10 @@ void ProgramExport::save_sheet(const QString& path) {
     job_.start(
         tr("Writing the setup sheet"),
         [=](const Progress& p) {
-            const SheetPicture picture{"As the workbench showed it", png.toStdString()};
+            const SheetLanguage language{utf8(spoken_language()), [](const std::string& english) {
+                                             return utf8(in_user_numbers(worded(english)));
+                                         }};
+            const SheetPicture picture{utf8(tr("As the workbench showed it")), png.toStdString()};
             OutputFile file(target);
             if (judged->chain.size() > 1) {
                 std::vector<std::vector<SheetPicture>> pictures(judged->chain.size());
@@ -183,10 +187,10 @@ void ProgramExport::save_sheet(const QString& path) {
                 const JudgedChain chain{judged->chain,
                                         chain_programs(judged->chain, planned_programs(judged->chain)),
                                         judged->verification, judged->posted_blocks};
-                file.write(setup_sheet({&chain, 1}, pictures));
+                file.write(setup_sheet({&chain, 1}, pictures, language));
             } else {
                 file.write(setup_sheet(*project, *plan, verify_programs(*project, plan),
-                                       *judged->verification, {&picture, 1}));
+                                       *judged->verification, {&picture, 1}, language));
             }
             p.check();
             file.commit();

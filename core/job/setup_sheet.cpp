@@ -77,10 +77,17 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
+std::string said_in(const SheetLanguage& language, const std::string& english) {
+    return language.words && !english.empty() ? language.words(english) : english;
+}
+
 /// Lengths, angles and figures in the project's units.
 class Sheet {
 public:
-    Sheet(const Project& project, const PlanResult& plan) : project_(project), plan_(plan) {}
+    Sheet(const Project& project, const PlanResult& plan, const SheetLanguage& language)
+        : project_(project), plan_(plan), language_(language) {}
+
+    std::string say(const std::string& english) const { return said_in(language_, english); }
 
     std::string number(double mm, int digits = 5) const {
         return format_number(mm / mm_per(project_.unit), digits);
@@ -97,27 +104,32 @@ public:
 
     std::string text;
 
-    void heading(const std::string& title) { text += "<h2>" + html(title) + "</h2>\n"; }
+    void heading(const std::string& title) { text += "<h2>" + html(say(title)) + "</h2>\n"; }
     void begin_facts() { text += "<table class=\"facts\">\n"; }
-    void fact(const std::string& name, const std::string& value) {
-        text += "<tr><th>" + html(name) + "</th><td>" + html(value) + "</td></tr>\n";
+    void fact(const std::string& name, const std::string& value) { fact_of(name, say(value)); }
+    /// A value that is a name, or said already.
+    void fact_of(const std::string& name, const std::string& value) {
+        text += "<tr><th>" + html(say(name)) + "</th><td>" + html(value) + "</td></tr>\n";
     }
     void end_table() { text += "</table>\n"; }
-    void warning(const std::string& line) { text += "<p class=\"warning\">" + html(line) + "</p>\n"; }
+    void warning(const std::string& line) { text += "<p class=\"warning\">" + html(say(line)) + "</p>\n"; }
+    void quiet(const std::string& line) { text += "<p class=\"quiet\">" + html(say(line)) + "</p>\n"; }
 
-    /// Columns whose name begins with '#' hold numbers, '/' names of files.
-    void begin_table(std::initializer_list<std::string> columns) {
+    struct Column {
+        char kind; ///< '#' holds numbers, '/' names of files, ' ' words
+        std::string name;
+    };
+    void begin_table(std::initializer_list<Column> columns) {
         columns_.clear();
         text += "<div class=\"scroll\"><table>\n<tr>";
-        for (const std::string& c : columns) {
-            const char kind = c.empty() ? ' ' : c.front();
+        for (const auto& [kind, name] : columns) {
             columns_ += kind;
-            const bool marked = kind == '#' || kind == '/';
-            text += std::string("<th") + (kind == '#' ? " class=\"n\"" : "") + ">"
-                    + html(marked ? std::string_view(c).substr(1) : c) + "</th>";
+            text +=
+                std::string("<th") + (kind == '#' ? " class=\"n\"" : "") + ">" + html(say(name)) + "</th>";
         }
         text += "</tr>\n";
     }
+    /// Numbers are said, words are as they are given.
     void row(const std::vector<std::string>& cells, bool sum = false) {
         text += sum ? "<tr class=\"sum\">" : "<tr>";
         for (std::size_t k = 0; k < cells.size(); ++k)
@@ -125,7 +137,7 @@ public:
                     + (columns_[k] == '#'   ? " class=\"n\""
                        : columns_[k] == '/' ? " class=\"file\""
                                             : "")
-                    + ">" + html(cells[k]) + "</td>";
+                    + ">" + html(columns_[k] == '#' ? say(cells[k]) : cells[k]) + "</td>";
         text += "</tr>\n";
     }
     void end_wide_table() { text += "</table></div>\n"; }
@@ -145,23 +157,31 @@ public:
 private:
     const Project& project_;
     const PlanResult& plan_;
+    const SheetLanguage& language_;
     std::string columns_;
 };
 
 void Sheet::setup_title() {
     if (setup_count(project_) == 1) return;
-    text += "<h1 style=\"break-before: page; margin-top: 40px\">Setup "
-            + std::to_string(chosen_setup(project_) + 1) + " \u00b7 " + html(project_.name) + "</h1>\n";
+    text += "<h1 style=\"break-before: page; margin-top: 40px\">"
+            + html(say("Setup " + std::to_string(chosen_setup(project_) + 1))) + " \u00b7 "
+            + html(project_.name) + "</h1>\n";
     const auto& [turn, move] = project_.place;
     std::string held;
-    for (std::size_t k = 0; k < 3; ++k)
+    const auto then = [&](const std::string& step) { held += (held.empty() ? "" : ", ") + say(step); };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string axis(1, "XYZ"[k]), by = format_number(degrees(turn[k]), 6);
         if (turn[k] != 0)
-            held += (held.empty() ? "turned by " : ", then by ") + format_number(degrees(turn[k]), 6)
-                    + "\u00b0 about " + std::string(1, "XYZ"[k]);
+            then(held.empty() ? "turned by " + by + "\u00b0 about " + axis
+                              : "then by " + by + "\u00b0 about " + axis);
+    }
     if (const Vec3 by(move[0], move[1], move[2]); by != Vec3::Zero())
-        held += (held.empty() ? "moved by " : ", then moved by ") + point(by);
-    text +=
-        "<p class=\"quiet\">The part lies as in the project" + (held.empty() ? "" : ", " + held) + ".</p>\n";
+        then(held.empty() ? "moved by " + point(by) : "then moved by " + point(by));
+    if (held.empty())
+        quiet("The part lies as in the project.");
+    else
+        text +=
+            "<p class=\"quiet\">" + html(say("The part lies as in the project") + ", " + held) + ".</p>\n";
 }
 
 void Sheet::pictures(std::span<const SheetPicture> all) {
@@ -176,27 +196,30 @@ void Sheet::pictures(std::span<const SheetPicture> all) {
 std::string Sheet::fixture_text(const Fixture& f) const {
     const auto triple = [&](const std::array<double, 3>& v) { return point(Vec3(v[0], v[1], v[2])); };
     const bool tab = f.kind == Fixture::Kind::tab;
-    std::string said = tab ? fixture_parameters().find("shape")->info.words.at(std::size_t(f.shape))
-                                 + " tab, " + triple(f.size)
-                       : f.kind == Fixture::Kind::box ? "box, " + triple(f.size)
-                       : f.kind == Fixture::Kind::cylinder
-                           ? "cylinder, diameter " + length(f.diameter) + ", height " + length(f.height)
-                           : "mesh " + f.file;
-    said += std::string(f.kind == Fixture::Kind::mesh ? ", moved by " : ", the middle of its bottom at ")
-            + triple(f.translate);
+    const std::string shape =
+        tab ? fixture_parameters().find("shape")->info.words.at(std::size_t(f.shape)) : std::string();
+    std::string said = say(tab                            ? shape + " tab, " + triple(f.size)
+                           : f.kind == Fixture::Kind::box ? "box, " + triple(f.size)
+                           : f.kind == Fixture::Kind::cylinder
+                               ? "cylinder, diameter " + length(f.diameter) + ", height " + length(f.height)
+                               : "mesh " + f.file);
+    said += ", "
+            + say(f.kind == Fixture::Kind::mesh ? "moved by " + triple(f.translate)
+                                                : "the middle of its bottom at " + triple(f.translate));
     if (f.rotate != std::array<double, 3>{0, 0, 0}) {
-        said += ", turned by ";
+        std::string turns;
         for (std::size_t k = 0; k < 3; ++k)
-            said += (k > 0 ? ", " : "") + format_number(degrees(f.rotate[k]), 6) + "°";
+            turns += (k > 0 ? ", " : "") + format_number(degrees(f.rotate[k]), 6) + "°";
+        said += ", " + say("turned by " + turns);
     }
-    return tab ? said + "; it is left standing" : said + "; tools keep " + length(f.clearance);
+    return said + "; " + say(tab ? std::string("it is left standing") : "tools keep " + length(f.clearance));
 }
 
 void Sheet::part_and_stock() {
     heading("Part, stock and machine");
     begin_facts();
     const Box3& part = plan_.part->box;
-    fact("Part", project_.part.file);
+    fact_of("Part", project_.part.file);
     fact("Part's size", size(part));
     if (plan_.part->report.surfaces)
         fact("Facets for surfaces", "the surfaces of the file lie at most "
@@ -206,13 +229,15 @@ void Sheet::part_and_stock() {
     fact("Part from", point(part.lo));
     fact("Part to", point(part.hi));
     const StockSolid& stock = plan_.stock;
-    std::string kind = stock_kind_name(project_.stock.kind);
+    std::string kind = say(stock_kind_name(project_.stock.kind));
     if (project_.stock.kind == StockSpec::Kind::rest && !project_.before.empty())
-        kind = "what setup '" + project_.before.back().name + "' left";
+        kind = say("what setup '" + project_.before.back().name + "' left");
     if (stock.kind == StockSolid::Kind::cylinder)
-        kind += ", diameter " + length(2 * stock.radius) + ", along " + std::string(1, "XYZ"[stock.axis]);
+        kind +=
+            ", "
+            + say("diameter " + length(2 * stock.radius) + ", along " + std::string(1, "XYZ"[stock.axis]));
     if (!project_.stock_path().empty()) kind += ", " + project_.stock_path().filename().string();
-    fact("Stock", kind);
+    fact_of("Stock", kind);
     fact("Stock's size", size(stock.box));
     fact("Stock from", point(stock.box.lo));
     fact("Stock to", point(stock.box.hi));
@@ -220,7 +245,7 @@ void Sheet::part_and_stock() {
                        + length(-stock.box.lo.x()) + ", " + length(-stock.box.lo.y()) + ", "
                        + length(-stock.box.lo.z()) + " (X, Y, Z) from the stock's lowest corner");
     for (const Fixture& f : project_.fixtures)
-        fact("Fixture '" + f.name + "'", fixture_text(f));
+        fact_of("Fixture '" + f.name + "'", fixture_text(f));
     const Machine machine = project_machine(project_);
     fact("Machine", machine.label);
     end_table();
@@ -237,29 +262,47 @@ void Sheet::tools() {
     std::set<long> used;
     for (const auto& o : plan_.operations)
         used.insert(o->program.tool_number);
-    begin_table({"#T", "Name", "Shape", "#Diameter, " + unit(), "#Corner radius", "#Flutes", "Shank",
-                 "Holder", "#Out of holder"});
+    begin_table({{'#', "T"},
+                 {' ', "Name"},
+                 {' ', "Shape"},
+                 {'#', "Diameter, " + unit()},
+                 {'#', "Corner radius"},
+                 {'#', "Flutes"},
+                 {' ', "Shank"},
+                 {' ', "Holder"},
+                 {'#', "Out of holder"}});
     for (const Tool& t : project_.tools) {
         if (!used.count(t.number)) continue;
-        std::string shape = t.shape_name();
-        if (t.bottom_angle != 0) shape += ", bottom " + format_number(degrees(t.bottom_angle), 4) + "\u00b0";
-        if (t.taper_angle != 0) shape += ", taper " + format_number(degrees(t.taper_angle), 4) + "\u00b0";
+        std::string shape = say(t.shape_name());
+        if (t.bottom_angle != 0)
+            shape += ", " + say("bottom " + format_number(degrees(t.bottom_angle), 4) + "\u00b0");
+        if (t.taper_angle != 0)
+            shape += ", " + say("taper " + format_number(degrees(t.taper_angle), 4) + "\u00b0");
         std::string holder;
         for (const HolderSection& h : t.holder)
             holder += (holder.empty() ? "" : ", ")
                       + ("\u00d8 " + number(h.diameter) + " \u00d7 " + number(h.length));
         row({std::to_string(t.number), t.name, shape, number(t.diameter), number(t.corner_radius),
              number(t.flute_length),
-             "\u00d8 " + number(t.shank_diameter) + " \u00d7 " + number(t.shank_length),
-             holder.empty() ? "\u2013" : holder, number(t.flute_length + t.shank_length)});
+             say("\u00d8 " + number(t.shank_diameter) + " \u00d7 " + number(t.shank_length)),
+             holder.empty() ? "\u2013" : say(holder), number(t.flute_length + t.shank_length)});
     }
     end_wide_table();
 }
 
 void Sheet::operations() {
     heading("Operations");
-    begin_table({"#", "Operation", "#T", "/Program", "#Tolerance", "#Passes", "#Feed, " + unit() + "/min",
-                 "#Spindle, rpm", "#Cut, " + unit(), "#Rapid, " + unit(), "#Time"});
+    begin_table({{'#', ""},
+                 {' ', "Operation"},
+                 {'#', "T"},
+                 {'/', "Program"},
+                 {'#', "Tolerance"},
+                 {'#', "Passes"},
+                 {'#', "Feed, " + unit() + "/min"},
+                 {'#', "Spindle, rpm"},
+                 {'#', "Cut, " + unit()},
+                 {'#', "Rapid, " + unit()},
+                 {'#', "Time"}});
     double cut = 0, rapid = 0, time = 0;
     std::size_t n = 0;
     long tool = -1;
@@ -279,19 +322,19 @@ void Sheet::operations() {
              format_number(p.spindle_rpm, 6), number(o.totals.cut_length), number(o.totals.rapid_length),
              duration_text(o.totals.time_seconds)});
     }
-    row({"", "Together", "", "", "", "", "", "", number(cut), number(rapid), duration_text(time)}, true);
+    row({"", say("Together"), "", "", "", "", "", "", number(cut), number(rapid), duration_text(time)}, true);
     end_wide_table();
     if (changes > 0)
-        text += "<p class=\"quiet\">" + std::to_string(changes) + (changes == 1 ? " change" : " changes")
-                + " of tools, not in the time.</p>\n";
+        quiet(changes == 1 ? std::string("1 change of tools, not in the time.")
+                           : std::to_string(changes) + " changes of tools, not in the time.");
     for (const auto& o : plan_.operations) {
         if (o->view == Mat3::Identity()) continue;
         const Vec3 axis = o->view.row(2);
-        text += "<p class=\"quiet\">" + html(o->name) + ": the tool keeps the axis ("
-                + format_number(axis.x(), 6) + ", " + format_number(axis.y(), 6) + ", "
-                + format_number(axis.z(), 6) + "), "
-                + format_number(degrees(std::acos(std::clamp(axis.z(), -1.0, 1.0))), 6)
-                + "\u00b0 from upright.</p>\n";
+        const std::string told = "the tool keeps the axis (" + format_number(axis.x(), 6) + ", "
+                                 + format_number(axis.y(), 6) + ", " + format_number(axis.z(), 6) + "), "
+                                 + format_number(degrees(std::acos(std::clamp(axis.z(), -1.0, 1.0))), 6)
+                                 + "\u00b0 from upright.";
+        text += "<p class=\"quiet\">" + html(o->name + ": " + say(told)) + "</p>\n";
     }
     for (const auto& o : plan_.operations)
         for (const std::string& w : o->warnings())
@@ -338,8 +381,12 @@ void Sheet::posted_programs() {
                                      + work_zero_text(project_.programs, project_.unit));
         told_from_zero();
         end_table();
-        begin_table(
-            {"/Program", "Told as", "Tools, gauge length", "#Blocks", "Axes of the machine", "#Time"});
+        begin_table({{'/', "Program"},
+                     {' ', "Told as"},
+                     {' ', "Tools, gauge length"},
+                     {'#', "Blocks"},
+                     {' ', "Axes of the machine"},
+                     {'#', "Time"}});
         for (const PostedFile& f : files) {
             std::string used;
             for (const long n : f.program.tools)
@@ -353,8 +400,9 @@ void Sheet::posted_programs() {
             std::string told = f.program.tcp ? f.program.planes > 0 ? "tip (TCP, tilted planes)" : "tip (TCP)"
                                : several     ? "joints"
                                              : "three axes";
-            if (f.program.arcs > 0) told += ", " + std::to_string(f.program.arcs) + " arcs";
-            row({f.name, told, used, std::to_string(f.program.blocks), axes_reached(f.program),
+            told = say(told);
+            if (f.program.arcs > 0) told += ", " + say(std::to_string(f.program.arcs) + " arcs");
+            row({f.name, told, say(used), std::to_string(f.program.blocks), say(axes_reached(f.program)),
                  duration_text(f.program.seconds)});
             if (f.program.tcp)
                 warning(f.name
@@ -374,15 +422,16 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
     begin_facts();
     const DeviationFigures& f = v.figures;
     const auto percent = [](double share) {
-        return share > 0 && share < 1e-4 ? "less than 0.01 %" : format_number(100 * share, 3) + " %";
+        return share > 0 && share < 1e-4 ? "less than 0.01 % of the surface"
+                                         : format_number(100 * share, 3) + " % of the surface";
     };
     fact("Deepest gouge",
          length(std::max(f.gouge_max, v.border.gouge_max), 3) + ", allowed " + length(v.used.gouge_limit, 3));
     fact("Collisions", std::to_string(v.collisions.size()));
     if (v.used.tolerance > 0) {
         fact("Tolerance", length(v.used.tolerance));
-        fact("Over the tolerance", percent(f.over_fraction) + " of the surface");
-        fact("Uncut (over twice the tolerance)", percent(f.uncut_fraction) + " of the surface");
+        fact("Over the tolerance", percent(f.over_fraction));
+        fact("Uncut (over twice the tolerance)", percent(f.uncut_fraction));
     }
     fact("What is left, 95 % below", length(f.excess_p95, 3));
     fact("What is left, 99 % below", length(f.excess_p99, 3));
@@ -399,43 +448,47 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
     };
     if (!v.gouges.empty() || !v.collisions.empty()) {
         constexpr std::size_t max_listed = 20;
-        begin_table({"Found", "#Depth, " + unit(), "Where", "Place"});
+        begin_table({{' ', "Found"}, {'#', "Depth, " + unit()}, {' ', "Where"}, {' ', "Place"}});
         for (const DeviationExtreme& e : v.gouges)
-            row({"Gouge", number(-e.deviation, 4), where(e.by), point(e.point)});
+            row({say("Gouge"), number(-e.deviation, 4), say(where(e.by)), say(point(e.point))});
         for (std::size_t i = 0; i < std::min(max_listed, v.collisions.size()); ++i) {
             const Collision& c = v.collisions[i];
             const char* body = c.kind == Collision::Kind::shank    ? "Shank"
                                : c.kind == Collision::Kind::holder ? "Holder"
                                : c.kind == Collision::Kind::cutter ? "Cutter"
                                                                    : "Rapid";
-            row({body + touched_text(c), number(c.depth, 4), where(c.at), point(c.place)});
+            row({say(body) + say(touched_text(c)), number(c.depth, 4), say(where(c.at)),
+                 say(point(c.place))});
         }
         end_wide_table();
         if (v.collisions.size() > max_listed)
-            text += "<p class=\"quiet\">" + std::to_string(v.collisions.size() - max_listed)
-                    + " more collisions are in verify.json.</p>\n";
+            quiet(std::to_string(v.collisions.size() - max_listed) + " more collisions are in verify.json.");
     }
     for (const std::string& remark : v.remarks)
-        text += "<p class=\"quiet\">" + html(remark) + "</p>\n";
+        quiet(remark);
 }
 
 /// Up to the verdict.
 std::string sheet_head(const Project& project, std::size_t setups, std::size_t programs, double time,
-                       const std::string& findings, bool passed) {
+                       const std::string& findings, bool passed, const SheetLanguage& language) {
+    const auto say = [&](const std::string& english) { return html(said_in(language, english)); };
     const std::string title =
         project.path.empty() ? project.part_path().stem().string() : project.path.stem().string();
-    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-                       + html(title) + " \u00b7 Setup sheet</title>\n<style>" + style
+    std::string text = "<!DOCTYPE html>\n<html lang=\"" + html(language.code)
+                       + "\">\n<head>\n<meta charset=\"utf-8\">\n"
+                         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+                       + html(title) + " \u00b7 " + say("Setup sheet") + "</title>\n<style>" + style
                        + "</style>\n</head>\n<body>\n";
-    text += "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">Setup sheet \u00b7 "
-            + (setups > 1 ? std::to_string(setups) + " setups \u00b7 " : std::string())
-            + std::to_string(programs) + (programs == 1 ? " program" : " programs") + " \u00b7 "
-            + duration_text(time) + " \u00b7 lengths in " + std::string(unit_name(project.unit)) + "</p>\n";
+    text +=
+        "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">" + say("Setup sheet") + " \u00b7 "
+        + (setups > 1 ? say(std::to_string(setups) + " setups") + " \u00b7 " : std::string())
+        + say(programs == 1 ? std::to_string(programs) + " program" : std::to_string(programs) + " programs")
+        + " \u00b7 " + say(duration_text(time)) + " \u00b7 "
+        + say("lengths in " + std::string(unit_name(project.unit))) + "</p>\n";
     if (passed)
-        text += "<p class=\"verdict good\">Verified: no gouge, no collision.</p>\n";
+        text += "<p class=\"verdict good\">" + say("Verified: no gouge, no collision.") + "</p>\n";
     else
-        text += "<p class=\"verdict bad\">Not verified, do not run: " + html(findings) + "</p>\n";
+        text += "<p class=\"verdict bad\">" + say("Not verified, do not run: " + findings) + "</p>\n";
     return text;
 }
 
@@ -460,10 +513,10 @@ void add_setup(Sheet& sheet, std::span<const SheetPicture> pictures) {
 
 std::string setup_sheet(const Project& project, const PlanResult& plan,
                         std::span<const VerifyProgram> programs, const Verification& verification,
-                        std::span<const SheetPicture> pictures) {
-    Sheet sheet(project, plan);
+                        std::span<const SheetPicture> pictures, const SheetLanguage& language) {
+    Sheet sheet(project, plan, language);
     sheet.text = sheet_head(project, 1, plan.operations.size(), time_of(plan),
-                            findings_line(project, programs, verification), verification.passed());
+                            findings_line(project, programs, verification), verification.passed(), language);
     add_setup(sheet, pictures);
     sheet.verification(programs, verification);
     sheet.text += "</body>\n</html>\n";
@@ -471,7 +524,8 @@ std::string setup_sheet(const Project& project, const PlanResult& plan,
 }
 
 std::string setup_sheet(std::span<const JudgedChain> chains,
-                        const std::vector<std::vector<SheetPicture>>& pictures) {
+                        const std::vector<std::vector<SheetPicture>>& pictures,
+                        const SheetLanguage& language) {
     const SetupPlan& first = chains.front().setups.front();
     std::size_t programs = 0, setups = 0;
     double time = 0;
@@ -482,21 +536,20 @@ std::string setup_sheet(std::span<const JudgedChain> chains,
             time += time_of(*setup.plan);
         }
     std::string text = sheet_head(first.project, setups, programs, time, findings_line(chains),
-                                  verdict_of(chains) == Verdict::verified);
+                                  verdict_of(chains) == Verdict::verified, language);
     std::size_t i = 0;
     for (const JudgedChain& chain : chains)
         for (const SetupPlan& setup : chain.setups) {
-            Sheet sheet(setup.project, *setup.plan);
+            Sheet sheet(setup.project, *setup.plan, language);
             add_setup(sheet, i < pictures.size() ? std::span(pictures[i]) : std::span<const SheetPicture>());
             text += sheet.text;
             ++i;
         }
     for (const JudgedChain& chain : chains) {
-        Sheet sheet(chain.setups.front().project, *chain.setups.front().plan);
+        Sheet sheet(chain.setups.front().project, *chain.setups.front().plan, language);
         sheet.verification(chain.programs.programs, *chain.result);
         if (chains.size() > 1)
-            sheet.text += "<p class=\"quiet\">Of the stock that begins in setup '"
-                          + html(chain.setups.front().project.name) + "'.</p>\n";
+            sheet.quiet("Of the stock that begins in setup '" + chain.setups.front().project.name + "'.");
         text += sheet.text;
     }
     return text + "</body>\n</html>\n";

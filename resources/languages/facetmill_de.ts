@@ -216,6 +216,14 @@
         <translation>0 oder mehr und unter 90°</translation>
     </message>
     <message>
+        <source>0, 0, 0 of the part's coordinates, in which the programs are written; it is {1}, {2}, {3} (X, Y, Z) from the stock's lowest corner</source>
+        <translation>0, 0, 0 der Koordinaten des Teils, in denen die Programme geschrieben sind; er ist {1}, {2}, {3} (X, Y, Z) von der niedrigsten Ecke des Rohteils</translation>
+    </message>
+    <message>
+        <source>1 change of tools, not in the time.</source>
+        <translation>1 Werkzeugwechsel, nicht in der Zeit enthalten.</translation>
+    </message>
+    <message>
         <source>1 collision, the deepest {1}</source>
         <translation>1 Kollision, die tiefste {1}</translation>
     </message>
@@ -336,6 +344,10 @@
         <translation>Achsen</translation>
     </message>
     <message>
+        <source>Axes of the machine</source>
+        <translation>Achsen der Maschine</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -382,6 +394,10 @@
     <message>
         <source>Block</source>
         <translation>Block</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Sätze</translation>
     </message>
     <message>
         <source>Body shell</source>
@@ -576,6 +592,10 @@
         <translation>Fräst nur, wo vom Rohteil mehr als die Toleranz steht, wie das Rohmaterial und die Operationen davor es ließen.</translation>
     </message>
     <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
         <source>Cutter, elsewhere</source>
         <translation>Fräser, anderswo</translation>
     </message>
@@ -610,6 +630,10 @@
     <message>
         <source>Decimating</source>
         <translation>Wird ausgedünnt</translation>
+    </message>
+    <message>
+        <source>Deepest gouge</source>
+        <translation>Tiefste Verletzung</translation>
     </message>
     <message>
         <source>Deepest gouges</source>
@@ -732,6 +756,10 @@
         <translation>Facetten</translation>
     </message>
     <message>
+        <source>Facets for surfaces</source>
+        <translation>Facetten für Flächen</translation>
+    </message>
+    <message>
         <source>Fanuc, TCP with rotary axes (G43.4)</source>
         <translation>Fanuc, TCP mit Drehachsen (G43.4)</translation>
     </message>
@@ -746,6 +774,10 @@
     <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed, {1}/min</source>
+        <translation>Vorschub, {1}/min</translation>
     </message>
     <message>
         <source>Feeds and speeds</source>
@@ -804,6 +836,10 @@
         <translation>Spannmittel</translation>
     </message>
     <message>
+        <source>Fixture '{1}'</source>
+        <translation>Spannmittel '{1}'</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
     </message>
@@ -842,6 +878,10 @@
     <message>
         <source>Following valleys</source>
         <translation>Kehlen werden verfolgt</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
     </message>
     <message>
         <source>Free</source>
@@ -914,6 +954,10 @@
     <message>
         <source>Global-local CM²</source>
         <translation>Global-lokal CM²</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Verletzung</translation>
     </message>
     <message>
         <source>Gouge limit</source>
@@ -1500,6 +1544,10 @@
         <translation>Nicht verschoben</translation>
     </message>
     <message>
+        <source>Not verified, do not run: {1}</source>
+        <translation>Nicht geprüft, nicht laufen lassen: {1}</translation>
+    </message>
+    <message>
         <source>Nothing to show</source>
         <translation>Nichts zu zeigen</translation>
     </message>
@@ -1600,6 +1648,10 @@
         <translation>Des ganzen Rohteils, X, Y und Z: das Teil und seine Zugaben. Beides lässt sich eintippen; das Projekt behält die Zugaben.</translation>
     </message>
     <message>
+        <source>Of the stock that begins in setup '{1}'.</source>
+        <translation>Vom Rohteil, das in Aufspannung '{1}' beginnt.</translation>
+    </message>
+    <message>
         <source>Of the work coordinates, from the place that `zero_from` says; from the part's origin a point of the part.</source>
         <translation>Der Werkstückkoordinaten, von der Stelle aus, die `zero_from` nennt; vom Ursprung des Teils aus ein Punkt des Teils.</translation>
     </message>
@@ -1624,8 +1676,24 @@
         <translation>Operation</translation>
     </message>
     <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
         <source>Operations name the boundary by it.</source>
         <translation>Operationen nennen die Begrenzung so.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>Out of holder</source>
+        <translation>Aus dem Halter</translation>
+    </message>
+    <message>
+        <source>Over the tolerance</source>
+        <translation>Über der Toleranz</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -1648,8 +1716,32 @@
         <translation>Teil zuvor</translation>
     </message>
     <message>
+        <source>Part from</source>
+        <translation>Teil von</translation>
+    </message>
+    <message>
+        <source>Part in them</source>
+        <translation>Teil darin</translation>
+    </message>
+    <message>
+        <source>Part to</source>
+        <translation>Teil bis</translation>
+    </message>
+    <message>
+        <source>Part's size</source>
+        <translation>Größe des Teils</translation>
+    </message>
+    <message>
+        <source>Part, stock and machine</source>
+        <translation>Teil, Rohteil und Maschine</translation>
+    </message>
+    <message>
         <source>Parts of the picture are transparent: the more so, the nearer they lie to the ground.</source>
         <translation>Teile des Bildes sind durchsichtig: je mehr, desto näher liegen sie am Grund.</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Bahnen</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1682,6 +1774,10 @@
     <message>
         <source>Place on the part whose nearest contact point it is for.</source>
         <translation>Stelle auf dem Teil, für deren nächsten Berührpunkt sie gilt.</translation>
+    </message>
+    <message>
+        <source>Places looked at</source>
+        <translation>Betrachtete Stellen</translation>
     </message>
     <message>
         <source>Placing drive planes</source>
@@ -1752,12 +1848,20 @@
         <translation>Vorheriges Werkzeug</translation>
     </message>
     <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
         <source>Program number</source>
         <translation>Programmnummer</translation>
     </message>
     <message>
         <source>Programs</source>
         <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Programs for the control</source>
+        <translation>Programme für die Steuerung</translation>
     </message>
     <message>
         <source>Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands for three motions or more: every end of a motion within a quarter of the chord tolerance of the arc, and the arc within half of it of the motions. Where the tool leans, in tilted planes alone.</source>
@@ -1836,6 +1940,10 @@
         <translation>Reparatur</translation>
     </message>
     <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
         <source>Rest</source>
         <translation>Rest</translation>
     </message>
@@ -1902,6 +2010,14 @@
     <message>
         <source>Second point of an axis through two points.</source>
         <translation>Zweiter Punkt einer Achse durch zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Setup sheet</source>
+        <translation>Einrichteblatt</translation>
+    </message>
+    <message>
+        <source>Setup {1}</source>
+        <translation>Aufspannung {1}</translation>
     </message>
     <message>
         <source>Shank</source>
@@ -2036,6 +2152,10 @@
         <translation>Spindeldrehzahl.</translation>
     </message>
     <message>
+        <source>Spindle, rpm</source>
+        <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
         <source>Square prism</source>
         <translation>Quadratisches Prisma</translation>
     </message>
@@ -2068,8 +2188,24 @@
         <translation>Rohteil</translation>
     </message>
     <message>
+        <source>Stock from</source>
+        <translation>Rohteil von</translation>
+    </message>
+    <message>
+        <source>Stock in them</source>
+        <translation>Rohteil darin</translation>
+    </message>
+    <message>
         <source>Stock left on the part for a later operation. 0 cuts to size.</source>
         <translation>Material, das für eine spätere Operation auf dem Teil bleibt. 0 fräst auf Maß.</translation>
+    </message>
+    <message>
+        <source>Stock to</source>
+        <translation>Rohteil bis</translation>
+    </message>
+    <message>
+        <source>Stock's size</source>
+        <translation>Größe des Rohteils</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2280,6 +2416,14 @@
         <translation>Das Teil ist kleiner als 1 mm oder größer als 10 m: die Datei ist vielleicht in einer anderen Einheit.</translation>
     </message>
     <message>
+        <source>The part lies as in the project</source>
+        <translation>Das Teil liegt wie im Projekt</translation>
+    </message>
+    <message>
+        <source>The part lies as in the project.</source>
+        <translation>Das Teil liegt wie im Projekt.</translation>
+    </message>
+    <message>
         <source>The part lies so far from the origin (or is so large) that 32-bit coordinates are more than 0.01 mm apart; export it near the origin.</source>
         <translation>Das Teil liegt so weit vom Ursprung (oder ist so groß), dass 32-Bit-Koordinaten mehr als 0,01 mm auseinander sind; nahe am Ursprung exportieren.</translation>
     </message>
@@ -2360,6 +2504,14 @@
         <translation>Das Wort endsolid fehlt; das Netz ist geschlossen, also gilt die Datei als vollständig.</translation>
     </message>
     <message>
+        <source>There are none: {1}</source>
+        <translation>Es gibt keine: {1}</translation>
+    </message>
+    <message>
+        <source>There is no program for '{1}', which has nothing to do: {2}</source>
+        <translation>Für '{1}' gibt es kein Programm, dort ist nichts zu tun: {2}</translation>
+    </message>
+    <message>
         <source>Thickening</source>
         <translation>Wird verdickt</translation>
     </message>
@@ -2376,6 +2528,10 @@
         <translation>Neigungsgrenze</translation>
     </message>
     <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
         <source>Time of the motion</source>
         <translation>Zeit der Bewegung</translation>
     </message>
@@ -2386,6 +2542,14 @@
     <message>
         <source>To</source>
         <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Zusammen</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>Angegeben als</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -2402,6 +2566,14 @@
     <message>
         <source>Tool path (CL)</source>
         <translation>Werkzeugweg (CL)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools, gauge length</source>
+        <translation>Werkzeuge, Messlänge</translation>
     </message>
     <message>
         <source>Top</source>
@@ -2476,6 +2648,10 @@
         <translation>UNITS nennt keine Einheit</translation>
     </message>
     <message>
+        <source>Uncut (over twice the tolerance)</source>
+        <translation>Stehen geblieben (über das Doppelte der Toleranz)</translation>
+    </message>
+    <message>
         <source>Uncut limit</source>
         <translation>Grenze des Stehengebliebenen</translation>
     </message>
@@ -2498,6 +2674,14 @@
     <message>
         <source>Vendor</source>
         <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Verification by removal of material</source>
+        <translation>Prüfung durch Materialabtrag</translation>
+    </message>
+    <message>
+        <source>Verified: no gouge, no collision.</source>
+        <translation>Geprüft: keine Verletzung, keine Kollision.</translation>
     </message>
     <message>
         <source>Verifying</source>
@@ -2526,6 +2710,18 @@
     <message>
         <source>What is cut.</source>
         <translation>Was gefräst wird.</translation>
+    </message>
+    <message>
+        <source>What is left, 95 % below</source>
+        <translation>Was übrig ist, 95 % darunter</translation>
+    </message>
+    <message>
+        <source>What is left, 99 % below</source>
+        <translation>Was übrig ist, 99 % darunter</translation>
+    </message>
+    <message>
+        <source>What is left, largest</source>
+        <translation>Was übrig ist, größtes</translation>
     </message>
     <message>
         <source>What it is called.</source>
@@ -2566,6 +2762,10 @@
     <message>
         <source>What the zero of the work coordinates is on: the part's origin, or the box of the stock or of the part. Posted programs and the setup sheet count from there; APT files are in part coordinates.</source>
         <translation>Worauf der Nullpunkt liegt: der Ursprung des Teils, oder der Quader um Rohteil oder Teil. Ausgegebene Programme und das Einrichteblatt zählen von dort; APT-Dateien stehen in Koordinaten des Teils.</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>Where along the axis the path begins, from the axis' point; auto: where the part does, and as far before it as rounded ends ask for.</source>
@@ -2658,6 +2858,10 @@
     <message>
         <source>Zero</source>
         <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Zero at</source>
+        <translation>Nullpunkt bei</translation>
     </message>
     <message>
         <source>Zero from</source>
@@ -3492,6 +3696,10 @@
         <translation>Stirnwinkel {1} und Flankenwinkel {2} ergeben keinen konvexen Fräser</translation>
     </message>
     <message>
+        <source>bottom {1}°</source>
+        <translation>Boden {1}°</translation>
+    </message>
+    <message>
         <source>boundaries there are: {1}</source>
         <translation>vorhandene Begrenzungen: {1}</translation>
     </message>
@@ -4012,6 +4220,10 @@
         <translation>Zylinder</translation>
     </message>
     <message>
+        <source>cylinder, diameter {1}, height {2}</source>
+        <translation>Zylinder, Durchmesser {1}, Höhe {2}</translation>
+    </message>
+    <message>
         <source>data compressed by zlib</source>
         <translation>mit zlib gepackte Daten</translation>
     </message>
@@ -4026,6 +4238,10 @@
     <message>
         <source>define it before</source>
         <translation>davor festlegen</translation>
+    </message>
+    <message>
+        <source>diameter {1}, along {2}</source>
+        <translation>Durchmesser {1}, entlang {2}</translation>
     </message>
     <message>
         <source>did you mean '{1}'?</source>
@@ -4968,6 +5184,10 @@
         <translation>es ist größer, als es sagt</translation>
     </message>
     <message>
+        <source>it is left standing</source>
+        <translation>er bleibt stehen</translation>
+    </message>
+    <message>
         <source>it is not as it was written</source>
         <translation>es ist nicht, wie es geschrieben wurde</translation>
     </message>
@@ -5212,8 +5432,16 @@
         <translation>weggelassen: {1}</translation>
     </message>
     <message>
+        <source>lengths in {1}</source>
+        <translation>Längen in {1}</translation>
+    </message>
+    <message>
         <source>lengthwise</source>
         <translation>Längslinien</translation>
+    </message>
+    <message>
+        <source>less than 0.01 % of the surface</source>
+        <translation>weniger als 0,01 % der Fläche</translation>
     </message>
     <message>
         <source>let the name end in .stl, .3mf or .ply</source>
@@ -5308,6 +5536,10 @@
         <translation>Netz</translation>
     </message>
     <message>
+        <source>mesh {1}</source>
+        <translation>Netz {1}</translation>
+    </message>
+    <message>
         <source>meshes are not written as {1} files</source>
         <translation>Netze werden nicht als {1}-Dateien geschrieben</translation>
     </message>
@@ -5370,6 +5602,10 @@
     <message>
         <source>move what is in the way, make it smaller, or give it less clearance</source>
         <translation>wegrücken, was im Weg ist, verkleinern oder ihm weniger Abstand geben</translation>
+    </message>
+    <message>
+        <source>moved by {1}</source>
+        <translation>verschoben um {1}</translation>
     </message>
     <message>
         <source>name a .facetmill or a .json file</source>
@@ -6380,6 +6616,10 @@
         <translation>ein kleineres Werkzeug nehmen oder ihm senkrechtes Eintauchen erlauben</translation>
     </message>
     <message>
+        <source>taper {1}°</source>
+        <translation>Kegel {1}°</translation>
+    </message>
+    <message>
         <source>tapered mill</source>
         <translation>konischer Fräser</translation>
     </message>
@@ -6498,6 +6738,10 @@
     <message>
         <source>the control would not read it</source>
         <translation>die Steuerung würde ihn nicht lesen</translation>
+    </message>
+    <message>
+        <source>the control's: zero in {1}</source>
+        <translation>das der Steuerung: Nullpunkt in {1}</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -6936,6 +7180,10 @@
         <translation>das zu schreibende Netz hat keine Facette</translation>
     </message>
     <message>
+        <source>the middle of its bottom at {1}</source>
+        <translation>die Mitte seines Bodens bei {1}</translation>
+    </message>
+    <message>
         <source>the model '{1}' is not in the file</source>
         <translation>das Modell '{1}' ist nicht in der Datei</translation>
     </message>
@@ -7340,6 +7588,10 @@
         <translation>die Felder der Fläche passen nicht zueinander</translation>
     </message>
     <message>
+        <source>the surfaces of the file lie at most {1} outside and {2} inside the facets that were planned on</source>
+        <translation>die Flächen der Datei liegen höchstens {1} außerhalb und {2} innerhalb der Facetten, auf denen geplant wurde</translation>
+    </message>
+    <message>
         <source>the tab {1}</source>
         <translation>der Steg {1}</translation>
     </message>
@@ -7524,6 +7776,10 @@
         <translation>das Werkzeug ist zu groß für Mulden des Teils: über {1} davon, {2} gesehen, bleibt bis zu {3} über dem Aufmaß, am meisten bei {4}: dort mit einem kleineren Werkzeug nochmals schruppen</translation>
     </message>
     <message>
+        <source>the tool keeps the axis ({1}, {2}, {3}), {4}° from upright.</source>
+        <translation>das Werkzeug behält die Achse ({1}, {2}, {3}), {4}° von der Senkrechten.</translation>
+    </message>
+    <message>
         <source>the tool leaves nothing that is thicker than that</source>
         <translation>das Werkzeug lässt nichts, was dicker ist als das</translation>
     </message>
@@ -7702,6 +7958,14 @@
     <message>
         <source>their plane goes through the middle of the part: there is no side to lie on</source>
         <translation>ihre Ebene geht durch die Mitte des Teils: es gibt keine Seite zum Auflegen</translation>
+    </message>
+    <message>
+        <source>then by {1}° about {2}</source>
+        <translation>dann um {1}° um {2}</translation>
+    </message>
+    <message>
+        <source>then moved by {1}</source>
+        <translation>dann verschoben um {1}</translation>
     </message>
     <message>
         <source>there are more than two rotary axes</source>
@@ -7896,6 +8160,10 @@
         <translation>Tausender oder Dezimalen? das Teil mit Dezimalpunkten neu exportieren</translation>
     </message>
     <message>
+        <source>three axes</source>
+        <translation>drei Achsen</translation>
+    </message>
+    <message>
         <source>three numbers</source>
         <translation>drei Zahlen</translation>
     </message>
@@ -7910,6 +8178,14 @@
     <message>
         <source>tip</source>
         <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>tip (TCP)</source>
+        <translation>Spitze (TCP)</translation>
+    </message>
+    <message>
+        <source>tip (TCP, tilted planes)</source>
+        <translation>Spitze (TCP, geschwenkte Ebenen)</translation>
     </message>
     <message>
         <source>together at most 90°</source>
@@ -7980,6 +8256,10 @@
         <translation>Werkzeug {1} berührt beide Flanken, lässt {2}</translation>
     </message>
     <message>
+        <source>tools keep {1}</source>
+        <translation>Werkzeuge halten {1} Abstand</translation>
+    </message>
+    <message>
         <source>tools there are: {1}</source>
         <translation>vorhandene Werkzeuge: {1}</translation>
     </message>
@@ -8010,6 +8290,14 @@
     <message>
         <source>turn the part</source>
         <translation>das Teil drehen</translation>
+    </message>
+    <message>
+        <source>turned by {1}</source>
+        <translation>gedreht um {1}</translation>
+    </message>
+    <message>
+        <source>turned by {1}° about {2}</source>
+        <translation>gedreht um {1}° um {2}</translation>
     </message>
     <message>
         <source>turns by half a turn in one motion</source>
@@ -8260,8 +8548,8 @@
         <translation>was das Rohteil von unten hält</translation>
     </message>
     <message>
-        <source>what is as steep as asked for lies below the bottom of the stock</source>
-        <translation>was so steil ist wie verlangt, liegt unter dem Boden des Rohteils</translation>
+        <source>what setup '{1}' left</source>
+        <translation>was Aufspannung '{1}' übrig ließ</translation>
     </message>
     <message>
         <source>what the setup before leaves is not known yet</source>
@@ -8616,6 +8904,10 @@
         <translation>{1} % der Streifen bleiben stehen{2}, etwa bei {3}</translation>
     </message>
     <message>
+        <source>{1} % of the surface</source>
+        <translation>{1} % der Fläche</translation>
+    </message>
+    <message>
         <source>{1} % of {2}</source>
         <translation>{1} % von {2}</translation>
     </message>
@@ -8644,6 +8936,10 @@
         <translation>{1} und {2}, zu meiden</translation>
     </message>
     <message>
+        <source>{1} arcs</source>
+        <translation>{1} Bögen</translation>
+    </message>
+    <message>
         <source>{1} are switched off and not cut</source>
         <translation>{1} sind ausgeschaltet und werden nicht gefräst</translation>
     </message>
@@ -8654,6 +8950,10 @@
     <message>
         <source>{1} cannot turn about {2}</source>
         <translation>{1} kann nicht um {2} drehen</translation>
+    </message>
+    <message>
+        <source>{1} changes of tools, not in the time.</source>
+        <translation>{1} Werkzeugwechsel, nicht in der Zeit enthalten.</translation>
     </message>
     <message>
         <source>{1} collisions, the deepest {2}</source>
@@ -8804,6 +9104,10 @@
         <translation>{1}-Modell</translation>
     </message>
     <message>
+        <source>{1} more collisions are in verify.json.</source>
+        <translation>{1} weitere Kollisionen stehen in verify.json.</translation>
+    </message>
+    <message>
         <source>{1} more regions</source>
         <translation>{1} weitere Bereiche</translation>
     </message>
@@ -8826,6 +9130,10 @@
     <message>
         <source>{1} of the part's area is hidden from all tool axes by other parts of it: there only gouges count.</source>
         <translation>{1} der Fläche des Teils sind allen Werkzeugachsen durch andere Stellen verdeckt: dort zählen nur Verletzungen.</translation>
+    </message>
+    <message>
+        <source>{1} of the part's coordinates</source>
+        <translation>{1} der Koordinaten des Teils</translation>
     </message>
     <message>
         <source>{1} of the surface</source>
@@ -8888,6 +9196,14 @@
         <translation>{1} Stellen bleiben der Restbearbeitung, weil das Werkzeug von den Nachbarn nicht ohne Verletzung oder zu große Drehung dorthin kommt</translation>
     </message>
     <message>
+        <source>{1} program</source>
+        <translation>{1} Programm</translation>
+    </message>
+    <message>
+        <source>{1} programs</source>
+        <translation>{1} Programme</translation>
+    </message>
+    <message>
         <source>{1} region</source>
         <translation>{1} Bereich</translation>
     </message>
@@ -8906,6 +9222,10 @@
     <message>
         <source>{1} swings the tool {2} off its path while it cuts</source>
         <translation>{1} schwenkt das Werkzeug beim Fräsen {2} von seinem Weg</translation>
+    </message>
+    <message>
+        <source>{1} tab, {2}</source>
+        <translation>Steg, {1}, {2}</translation>
     </message>
     <message>
         <source>{1} that faces up lies under the part itself, as at {2}, and is not cut: turn the part for another operation</source>
@@ -8958,6 +9278,14 @@
     <message>
         <source>{1} × {2} pixels</source>
         <translation>{1} × {2} Pixel</translation>
+    </message>
+    <message>
+        <source>{1}, GOTO {2}</source>
+        <translation>{1}, GOTO {2}</translation>
+    </message>
+    <message>
+        <source>{1}, allowed {2}</source>
+        <translation>{1}, erlaubt {2}</translation>
     </message>
     <message>
         <source>{1}, and they do not look like facets</source>
@@ -9030,6 +9358,18 @@
     <message>
         <source>{1}: stock left so far</source>
         <translation>{1}: bis hier gelassenes Rohteil</translation>
+    </message>
+    <message>
+        <source>{1}: the feed is that of the tip; where an axis is slower, the control slows down.</source>
+        <translation>{1}: der Vorschub ist der der Spitze; wo eine Achse langsamer ist, bremst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>{1}: the tool goes up {2} times so that rotary axes can turn.</source>
+        <translation>{1}: das Werkzeug fährt {2}-mal hoch, damit Drehachsen drehen können.</translation>
+    </message>
+    <message>
+        <source>{1}: zero in {2}</source>
+        <translation>{1}: Nullpunkt in {2}</translation>
     </message>
     <message>
         <source>{1}: {2} of passes, {3} of the surface uncut where the cutter could go</source>
@@ -9929,6 +10269,10 @@
     <message>
         <source>As the part lies</source>
         <translation>Wie das Teil liegt</translation>
+    </message>
+    <message>
+        <source>As the workbench showed it</source>
+        <translation>Wie die Arbeitsumgebung es zeigte</translation>
     </message>
     <message>
         <source>At %1: </source>

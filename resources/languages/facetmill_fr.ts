@@ -216,6 +216,14 @@
         <translation>0 ou plus et sous 90°</translation>
     </message>
     <message>
+        <source>0, 0, 0 of the part's coordinates, in which the programs are written; it is {1}, {2}, {3} (X, Y, Z) from the stock's lowest corner</source>
+        <translation>0, 0, 0 des coordonnées de la pièce, dans lesquelles les programmes sont écrits ; elle est à {1}, {2}, {3} (X, Y, Z) du coin le plus bas du brut</translation>
+    </message>
+    <message>
+        <source>1 change of tools, not in the time.</source>
+        <translation>1 changement d'outil, non compris dans le temps.</translation>
+    </message>
+    <message>
         <source>1 collision, the deepest {1}</source>
         <translation>1 collision, la plus profonde de {1}</translation>
     </message>
@@ -336,6 +344,10 @@
         <translation>Axes</translation>
     </message>
     <message>
+        <source>Axes of the machine</source>
+        <translation>Axes de la machine</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Axe</translation>
     </message>
@@ -382,6 +394,10 @@
     <message>
         <source>Block</source>
         <translation>Cale</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocs</translation>
     </message>
     <message>
         <source>Body shell</source>
@@ -576,6 +592,10 @@
         <translation>N'usine que là où il reste du brut plus que la tolérance, tel que la matière brute et les opérations précédentes l'ont laissé.</translation>
     </message>
     <message>
+        <source>Cutter</source>
+        <translation>Fraise</translation>
+    </message>
+    <message>
         <source>Cutter, elsewhere</source>
         <translation>Fraise, ailleurs</translation>
     </message>
@@ -610,6 +630,10 @@
     <message>
         <source>Decimating</source>
         <translation>Décimation</translation>
+    </message>
+    <message>
+        <source>Deepest gouge</source>
+        <translation>Entaille la plus profonde</translation>
     </message>
     <message>
         <source>Deepest gouges</source>
@@ -732,6 +756,10 @@
         <translation>Facettes</translation>
     </message>
     <message>
+        <source>Facets for surfaces</source>
+        <translation>Facettes pour surfaces</translation>
+    </message>
+    <message>
         <source>Fanuc, TCP with rotary axes (G43.4)</source>
         <translation>Fanuc, TCP à axes rotatifs (G43.4)</translation>
     </message>
@@ -746,6 +774,10 @@
     <message>
         <source>Feed</source>
         <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Feed, {1}/min</source>
+        <translation>Avance, {1}/min</translation>
     </message>
     <message>
         <source>Feeds and speeds</source>
@@ -804,6 +836,10 @@
         <translation>Bridage</translation>
     </message>
     <message>
+        <source>Fixture '{1}'</source>
+        <translation>Bridage '{1}'</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Bridages</translation>
     </message>
@@ -842,6 +878,10 @@
     <message>
         <source>Following valleys</source>
         <translation>Suivi des vallées</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Trouvé</translation>
     </message>
     <message>
         <source>Free</source>
@@ -914,6 +954,10 @@
     <message>
         <source>Global-local CM²</source>
         <translation>CM² global-local</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Entaille</translation>
     </message>
     <message>
         <source>Gouge limit</source>
@@ -1500,6 +1544,10 @@
         <translation>Non déplacé</translation>
     </message>
     <message>
+        <source>Not verified, do not run: {1}</source>
+        <translation>Non vérifié, ne pas exécuter : {1}</translation>
+    </message>
+    <message>
         <source>Nothing to show</source>
         <translation>Rien à afficher</translation>
     </message>
@@ -1600,6 +1648,10 @@
         <translation>Du brut en tout, X, Y et Z : la pièce et ses marges. L'un ou l'autre peut être tapé ; le projet garde les marges.</translation>
     </message>
     <message>
+        <source>Of the stock that begins in setup '{1}'.</source>
+        <translation>Du brut qui commence au posage '{1}'.</translation>
+    </message>
+    <message>
         <source>Of the work coordinates, from the place that `zero_from` says; from the part's origin a point of the part.</source>
         <translation>Des coordonnées pièce, depuis l'endroit que dit `zero_from` ; depuis l'origine de la pièce un point de la pièce.</translation>
     </message>
@@ -1624,8 +1676,24 @@
         <translation>Opération</translation>
     </message>
     <message>
+        <source>Operations</source>
+        <translation>Opérations</translation>
+    </message>
+    <message>
         <source>Operations name the boundary by it.</source>
         <translation>Les opérations nomment la limite ainsi.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Out of holder</source>
+        <translation>Hors du porte-outil</translation>
+    </message>
+    <message>
+        <source>Over the tolerance</source>
+        <translation>Au-delà de la tolérance</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -1648,8 +1716,32 @@
         <translation>Pièce avant</translation>
     </message>
     <message>
+        <source>Part from</source>
+        <translation>Pièce de</translation>
+    </message>
+    <message>
+        <source>Part in them</source>
+        <translation>Pièce dans celles-ci</translation>
+    </message>
+    <message>
+        <source>Part to</source>
+        <translation>Pièce à</translation>
+    </message>
+    <message>
+        <source>Part's size</source>
+        <translation>Taille de la pièce</translation>
+    </message>
+    <message>
+        <source>Part, stock and machine</source>
+        <translation>Pièce, brut et machine</translation>
+    </message>
+    <message>
         <source>Parts of the picture are transparent: the more so, the nearer they lie to the ground.</source>
         <translation>Des parties de l'image sont transparentes : plus elles le sont, plus elles sont près du fond.</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passes</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1682,6 +1774,10 @@
     <message>
         <source>Place on the part whose nearest contact point it is for.</source>
         <translation>Endroit de la pièce dont le point de contact le plus proche est concerné.</translation>
+    </message>
+    <message>
+        <source>Places looked at</source>
+        <translation>Endroits examinés</translation>
     </message>
     <message>
         <source>Placing drive planes</source>
@@ -1752,12 +1848,20 @@
         <translation>Outil précédent</translation>
     </message>
     <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
         <source>Program number</source>
         <translation>Numéro de programme</translation>
     </message>
     <message>
         <source>Programs</source>
         <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Programs for the control</source>
+        <translation>Programmes pour la commande</translation>
     </message>
     <message>
         <source>Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands for three motions or more: every end of a motion within a quarter of the chord tolerance of the arc, and the arc within half of it of the motions. Where the tool leans, in tilted planes alone.</source>
@@ -1836,6 +1940,10 @@
         <translation>Réparation</translation>
     </message>
     <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
         <source>Rest</source>
         <translation>Reste</translation>
     </message>
@@ -1902,6 +2010,14 @@
     <message>
         <source>Second point of an axis through two points.</source>
         <translation>Second point d'un axe par deux points.</translation>
+    </message>
+    <message>
+        <source>Setup sheet</source>
+        <translation>Fiche de réglage</translation>
+    </message>
+    <message>
+        <source>Setup {1}</source>
+        <translation>Posage {1}</translation>
     </message>
     <message>
         <source>Shank</source>
@@ -2036,6 +2152,10 @@
         <translation>Vitesse de broche.</translation>
     </message>
     <message>
+        <source>Spindle, rpm</source>
+        <translation>Broche, tr/min</translation>
+    </message>
+    <message>
         <source>Square prism</source>
         <translation>Prisme carré</translation>
     </message>
@@ -2068,8 +2188,24 @@
         <translation>Brut</translation>
     </message>
     <message>
+        <source>Stock from</source>
+        <translation>Brut de</translation>
+    </message>
+    <message>
+        <source>Stock in them</source>
+        <translation>Brut dans celles-ci</translation>
+    </message>
+    <message>
         <source>Stock left on the part for a later operation. 0 cuts to size.</source>
         <translation>Matière laissée sur la pièce pour une opération ultérieure. 0 usine à la cote.</translation>
+    </message>
+    <message>
+        <source>Stock to</source>
+        <translation>Brut à</translation>
+    </message>
+    <message>
+        <source>Stock's size</source>
+        <translation>Taille du brut</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2280,6 +2416,14 @@
         <translation>La pièce est plus petite que 1 mm ou plus grande que 10 m : le fichier est peut-être dans une autre unité.</translation>
     </message>
     <message>
+        <source>The part lies as in the project</source>
+        <translation>La pièce est posée comme dans le projet</translation>
+    </message>
+    <message>
+        <source>The part lies as in the project.</source>
+        <translation>La pièce est posée comme dans le projet.</translation>
+    </message>
+    <message>
         <source>The part lies so far from the origin (or is so large) that 32-bit coordinates are more than 0.01 mm apart; export it near the origin.</source>
         <translation>La pièce est si loin de l'origine (ou si grande) que les coordonnées 32 bits sont à plus de 0,01 mm l'une de l'autre ; l'exporter près de l'origine.</translation>
     </message>
@@ -2360,6 +2504,14 @@
         <translation>Le mot endsolid manque ; le maillage est fermé, le fichier est donc pris pour complet.</translation>
     </message>
     <message>
+        <source>There are none: {1}</source>
+        <translation>Il n'y en a pas : {1}</translation>
+    </message>
+    <message>
+        <source>There is no program for '{1}', which has nothing to do: {2}</source>
+        <translation>Il n'y a pas de programme pour '{1}', qui n'a rien à faire : {2}</translation>
+    </message>
+    <message>
         <source>Thickening</source>
         <translation>Épaississement</translation>
     </message>
@@ -2376,6 +2528,10 @@
         <translation>Limite d'inclinaison</translation>
     </message>
     <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
         <source>Time of the motion</source>
         <translation>Temps du mouvement</translation>
     </message>
@@ -2386,6 +2542,14 @@
     <message>
         <source>To</source>
         <translation>À</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Ensemble</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>Donné comme</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -2402,6 +2566,14 @@
     <message>
         <source>Tool path (CL)</source>
         <translation>Parcours d'outil (CL)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Tools, gauge length</source>
+        <translation>Outils, longueur de jauge</translation>
     </message>
     <message>
         <source>Top</source>
@@ -2476,6 +2648,10 @@
         <translation>UNITS ne nomme pas d'unité</translation>
     </message>
     <message>
+        <source>Uncut (over twice the tolerance)</source>
+        <translation>Non usiné (plus de deux fois la tolérance)</translation>
+    </message>
+    <message>
         <source>Uncut limit</source>
         <translation>Limite du non-usiné</translation>
     </message>
@@ -2498,6 +2674,14 @@
     <message>
         <source>Vendor</source>
         <translation>Fabricant</translation>
+    </message>
+    <message>
+        <source>Verification by removal of material</source>
+        <translation>Vérification par enlèvement de matière</translation>
+    </message>
+    <message>
+        <source>Verified: no gouge, no collision.</source>
+        <translation>Vérifié : aucune entaille, aucune collision.</translation>
     </message>
     <message>
         <source>Verifying</source>
@@ -2526,6 +2710,18 @@
     <message>
         <source>What is cut.</source>
         <translation>Ce qui est usiné.</translation>
+    </message>
+    <message>
+        <source>What is left, 95 % below</source>
+        <translation>Ce qui reste, 95 % au-dessous</translation>
+    </message>
+    <message>
+        <source>What is left, 99 % below</source>
+        <translation>Ce qui reste, 99 % au-dessous</translation>
+    </message>
+    <message>
+        <source>What is left, largest</source>
+        <translation>Ce qui reste, au plus</translation>
     </message>
     <message>
         <source>What it is called.</source>
@@ -2566,6 +2762,10 @@
     <message>
         <source>What the zero of the work coordinates is on: the part's origin, or the box of the stock or of the part. Posted programs and the setup sheet count from there; APT files are in part coordinates.</source>
         <translation>Sur quoi est l'origine : celle de la pièce, ou la boîte du brut ou de la pièce. Les programmes post-traités et la fiche de réglage comptent de là ; les fichiers APT sont en coordonnées de la pièce.</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
     </message>
     <message>
         <source>Where along the axis the path begins, from the axis' point; auto: where the part does, and as far before it as rounded ends ask for.</source>
@@ -2658,6 +2858,10 @@
     <message>
         <source>Zero</source>
         <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Zero at</source>
+        <translation>Origine en</translation>
     </message>
     <message>
         <source>Zero from</source>
@@ -3492,6 +3696,10 @@
         <translation>angle de fond {1} et angle de cône {2} ne font pas une fraise convexe</translation>
     </message>
     <message>
+        <source>bottom {1}°</source>
+        <translation>fond {1}°</translation>
+    </message>
+    <message>
         <source>boundaries there are: {1}</source>
         <translation>limites existantes : {1}</translation>
     </message>
@@ -4012,6 +4220,10 @@
         <translation>cylindre</translation>
     </message>
     <message>
+        <source>cylinder, diameter {1}, height {2}</source>
+        <translation>cylindre, diamètre {1}, hauteur {2}</translation>
+    </message>
+    <message>
         <source>data compressed by zlib</source>
         <translation>des données compressées par zlib</translation>
     </message>
@@ -4026,6 +4238,10 @@
     <message>
         <source>define it before</source>
         <translation>le définir avant</translation>
+    </message>
+    <message>
+        <source>diameter {1}, along {2}</source>
+        <translation>diamètre {1}, selon {2}</translation>
     </message>
     <message>
         <source>did you mean '{1}'?</source>
@@ -4968,6 +5184,10 @@
         <translation>il est plus grand qu'il ne dit</translation>
     </message>
     <message>
+        <source>it is left standing</source>
+        <translation>elle reste en place</translation>
+    </message>
+    <message>
         <source>it is not as it was written</source>
         <translation>ce n'est pas comme cela a été écrit</translation>
     </message>
@@ -5212,8 +5432,16 @@
         <translation>omis : {1}</translation>
     </message>
     <message>
+        <source>lengths in {1}</source>
+        <translation>longueurs en {1}</translation>
+    </message>
+    <message>
         <source>lengthwise</source>
         <translation>en long</translation>
+    </message>
+    <message>
+        <source>less than 0.01 % of the surface</source>
+        <translation>moins de 0,01 % de la surface</translation>
     </message>
     <message>
         <source>let the name end in .stl, .3mf or .ply</source>
@@ -5308,6 +5536,10 @@
         <translation>maillage</translation>
     </message>
     <message>
+        <source>mesh {1}</source>
+        <translation>maillage {1}</translation>
+    </message>
+    <message>
         <source>meshes are not written as {1} files</source>
         <translation>les maillages ne s'écrivent pas en fichiers {1}</translation>
     </message>
@@ -5370,6 +5602,10 @@
     <message>
         <source>move what is in the way, make it smaller, or give it less clearance</source>
         <translation>déplacer ce qui gêne, le réduire, ou lui donner moins de distance</translation>
+    </message>
+    <message>
+        <source>moved by {1}</source>
+        <translation>déplacé de {1}</translation>
     </message>
     <message>
         <source>name a .facetmill or a .json file</source>
@@ -6380,6 +6616,10 @@
         <translation>prendre un outil plus petit, ou lui permettre de plonger</translation>
     </message>
     <message>
+        <source>taper {1}°</source>
+        <translation>cône {1}°</translation>
+    </message>
+    <message>
         <source>tapered mill</source>
         <translation>fraise conique</translation>
     </message>
@@ -6498,6 +6738,10 @@
     <message>
         <source>the control would not read it</source>
         <translation>la commande ne le lirait pas</translation>
+    </message>
+    <message>
+        <source>the control's: zero in {1}</source>
+        <translation>celui de la commande : origine en {1}</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -6936,6 +7180,10 @@
         <translation>le maillage à écrire n'a aucune facette</translation>
     </message>
     <message>
+        <source>the middle of its bottom at {1}</source>
+        <translation>le milieu de son fond en {1}</translation>
+    </message>
+    <message>
         <source>the model '{1}' is not in the file</source>
         <translation>le modèle '{1}' n'est pas dans le fichier</translation>
     </message>
@@ -7340,6 +7588,10 @@
         <translation>les tableaux de la surface ne vont pas ensemble</translation>
     </message>
     <message>
+        <source>the surfaces of the file lie at most {1} outside and {2} inside the facets that were planned on</source>
+        <translation>les surfaces du fichier sont au plus à {1} au-dehors et {2} au-dedans des facettes sur lesquelles on a planifié</translation>
+    </message>
+    <message>
         <source>the tab {1}</source>
         <translation>l'attache {1}</translation>
     </message>
@@ -7524,6 +7776,10 @@
         <translation>l'outil est trop grand pour des creux de la pièce : sur {1} de celle-ci, vue {2}, jusqu'à {3} reste au-dessus de la surépaisseur, le plus à {4} : y ébaucher de nouveau avec un outil plus petit</translation>
     </message>
     <message>
+        <source>the tool keeps the axis ({1}, {2}, {3}), {4}° from upright.</source>
+        <translation>l'outil garde l'axe ({1}, {2}, {3}), à {4}° de la verticale.</translation>
+    </message>
+    <message>
         <source>the tool leaves nothing that is thicker than that</source>
         <translation>l'outil ne laisse rien de plus épais</translation>
     </message>
@@ -7702,6 +7958,14 @@
     <message>
         <source>their plane goes through the middle of the part: there is no side to lie on</source>
         <translation>leur plan passe par le milieu de la pièce : il n'y a pas de côté où la poser</translation>
+    </message>
+    <message>
+        <source>then by {1}° about {2}</source>
+        <translation>puis de {1}° autour de {2}</translation>
+    </message>
+    <message>
+        <source>then moved by {1}</source>
+        <translation>puis déplacé de {1}</translation>
     </message>
     <message>
         <source>there are more than two rotary axes</source>
@@ -7896,6 +8160,10 @@
         <translation>milliers ou décimales ? exporter de nouveau la pièce avec des points décimaux</translation>
     </message>
     <message>
+        <source>three axes</source>
+        <translation>trois axes</translation>
+    </message>
+    <message>
         <source>three numbers</source>
         <translation>trois nombres</translation>
     </message>
@@ -7910,6 +8178,14 @@
     <message>
         <source>tip</source>
         <translation>pointe</translation>
+    </message>
+    <message>
+        <source>tip (TCP)</source>
+        <translation>pointe (TCP)</translation>
+    </message>
+    <message>
+        <source>tip (TCP, tilted planes)</source>
+        <translation>pointe (TCP, plans inclinés)</translation>
     </message>
     <message>
         <source>together at most 90°</source>
@@ -7980,6 +8256,10 @@
         <translation>l'outil {1} touche les deux flancs, laisse {2}</translation>
     </message>
     <message>
+        <source>tools keep {1}</source>
+        <translation>les outils gardent {1}</translation>
+    </message>
+    <message>
         <source>tools there are: {1}</source>
         <translation>outils existants : {1}</translation>
     </message>
@@ -8010,6 +8290,14 @@
     <message>
         <source>turn the part</source>
         <translation>tourner la pièce</translation>
+    </message>
+    <message>
+        <source>turned by {1}</source>
+        <translation>tourné de {1}</translation>
+    </message>
+    <message>
+        <source>turned by {1}° about {2}</source>
+        <translation>tourné de {1}° autour de {2}</translation>
     </message>
     <message>
         <source>turns by half a turn in one motion</source>
@@ -8260,8 +8548,8 @@
         <translation>ce qui tient le brut par dessous</translation>
     </message>
     <message>
-        <source>what is as steep as asked for lies below the bottom of the stock</source>
-        <translation>ce qui est aussi raide que demandé se trouve sous le bas du brut</translation>
+        <source>what setup '{1}' left</source>
+        <translation>ce que le posage '{1}' a laissé</translation>
     </message>
     <message>
         <source>what the setup before leaves is not known yet</source>
@@ -8616,6 +8904,10 @@
         <translation>{1} % des bandes restent non usinés{2}, comme à {3}</translation>
     </message>
     <message>
+        <source>{1} % of the surface</source>
+        <translation>{1} % de la surface</translation>
+    </message>
+    <message>
         <source>{1} % of {2}</source>
         <translation>{1} % de {2}</translation>
     </message>
@@ -8644,6 +8936,10 @@
         <translation>{1} et {2}, à éviter</translation>
     </message>
     <message>
+        <source>{1} arcs</source>
+        <translation>{1} arcs</translation>
+    </message>
+    <message>
         <source>{1} are switched off and not cut</source>
         <translation>{1} sont désactivées et ne sont pas usinées</translation>
     </message>
@@ -8654,6 +8950,10 @@
     <message>
         <source>{1} cannot turn about {2}</source>
         <translation>{1} ne peut pas tourner autour de {2}</translation>
+    </message>
+    <message>
+        <source>{1} changes of tools, not in the time.</source>
+        <translation>{1} changements d'outil, non compris dans le temps.</translation>
     </message>
     <message>
         <source>{1} collisions, the deepest {2}</source>
@@ -8804,6 +9104,10 @@
         <translation>modèle {1}</translation>
     </message>
     <message>
+        <source>{1} more collisions are in verify.json.</source>
+        <translation>{1} autres collisions sont dans verify.json.</translation>
+    </message>
+    <message>
         <source>{1} more regions</source>
         <translation>{1} zones de plus</translation>
     </message>
@@ -8826,6 +9130,10 @@
     <message>
         <source>{1} of the part's area is hidden from all tool axes by other parts of it: there only gouges count.</source>
         <translation>{1} de l'aire de la pièce sont cachés de tous les axes d'outil par d'autres endroits : là ne comptent que les entailles.</translation>
+    </message>
+    <message>
+        <source>{1} of the part's coordinates</source>
+        <translation>{1} des coordonnées de la pièce</translation>
     </message>
     <message>
         <source>{1} of the surface</source>
@@ -8888,6 +9196,14 @@
         <translation>{1} endroits sont laissés au nettoyage parce que l'outil n'y vient pas des voisins sans entailler ou trop tourner</translation>
     </message>
     <message>
+        <source>{1} program</source>
+        <translation>{1} programme</translation>
+    </message>
+    <message>
+        <source>{1} programs</source>
+        <translation>{1} programmes</translation>
+    </message>
+    <message>
         <source>{1} region</source>
         <translation>{1} zone</translation>
     </message>
@@ -8906,6 +9222,10 @@
     <message>
         <source>{1} swings the tool {2} off its path while it cuts</source>
         <translation>{1} écarte l'outil de {2} de son parcours pendant qu'il coupe</translation>
+    </message>
+    <message>
+        <source>{1} tab, {2}</source>
+        <translation>attache, {1}, {2}</translation>
     </message>
     <message>
         <source>{1} that faces up lies under the part itself, as at {2}, and is not cut: turn the part for another operation</source>
@@ -8958,6 +9278,14 @@
     <message>
         <source>{1} × {2} pixels</source>
         <translation>{1} × {2} pixels</translation>
+    </message>
+    <message>
+        <source>{1}, GOTO {2}</source>
+        <translation>{1}, GOTO {2}</translation>
+    </message>
+    <message>
+        <source>{1}, allowed {2}</source>
+        <translation>{1}, permis {2}</translation>
     </message>
     <message>
         <source>{1}, and they do not look like facets</source>
@@ -9030,6 +9358,18 @@
     <message>
         <source>{1}: stock left so far</source>
         <translation>{1} : brut laissé jusqu'ici</translation>
+    </message>
+    <message>
+        <source>{1}: the feed is that of the tip; where an axis is slower, the control slows down.</source>
+        <translation>{1} : l'avance est celle de la pointe ; où un axe est plus lent, la commande ralentit.</translation>
+    </message>
+    <message>
+        <source>{1}: the tool goes up {2} times so that rotary axes can turn.</source>
+        <translation>{1} : l'outil remonte {2} fois pour que les axes rotatifs puissent tourner.</translation>
+    </message>
+    <message>
+        <source>{1}: zero in {2}</source>
+        <translation>{1} : origine en {2}</translation>
     </message>
     <message>
         <source>{1}: {2} of passes, {3} of the surface uncut where the cutter could go</source>
@@ -9929,6 +10269,10 @@
     <message>
         <source>As the part lies</source>
         <translation>Comme la pièce est posée</translation>
+    </message>
+    <message>
+        <source>As the workbench showed it</source>
+        <translation>Tel que l'atelier l'a montré</translation>
     </message>
     <message>
         <source>At %1: </source>
