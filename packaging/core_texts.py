@@ -213,6 +213,33 @@ def texts_of(source):
     return found
 
 
+PIECE = re.compile(r"[A-Za-z]{3,}.* | .*[A-Za-z]{3,}", re.S)
+
+
+def pieces_added(source):
+    """(literal, line) of sentences' pieces that are added to a text by "+=", so that no template can be made of the whole; but
+    for what a sheet says (`say`) by itself."""
+    found = []
+
+    def literals(nodes):
+        for before, node in zip([None] + nodes, nodes):
+            if node.kind == "string" and PIECE.search(node.text):
+                yield node
+            elif node.inside and not (before is not None and before.text == "say"):
+                yield from literals(node.inside)
+
+    def look(nodes):
+        for i, node in enumerate(nodes):
+            if node.kind == "op" and node.text == "+=":
+                rest = itertools.takewhile(lambda n: n.kind != "op" or n.text not in (";", ","), nodes[i + 1 :])
+                found.extend((n.text, n.line) for n in literals(list(rest)))
+            if node.inside:
+                look(node.inside)
+
+    look(tree_of(tokens_of(source)))
+    return found
+
+
 def error_texts_of(source):
     """The same of errors and of what work says it does (Progress::part), where a source has other texts as well."""
     found = []

@@ -479,9 +479,10 @@ std::string sheet_head(const Project& project, std::size_t setups, std::size_t p
                          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
                        + html(title) + " \u00b7 " + say("Setup sheet") + "</title>\n<style>" + style
                        + "</style>\n</head>\n<body>\n";
+    const std::string several = std::to_string(setups) + " setups";
     text +=
         "<h1>" + html(title) + "</h1>\n<p class=\"quiet\">" + say("Setup sheet") + " \u00b7 "
-        + (setups > 1 ? say(std::to_string(setups) + " setups") + " \u00b7 " : std::string())
+        + (setups > 1 ? say(several) + " \u00b7 " : std::string())
         + say(programs == 1 ? std::to_string(programs) + " program" : std::to_string(programs) + " programs")
         + " \u00b7 " + say(duration_text(time)) + " \u00b7 "
         + say("lengths in " + std::string(unit_name(project.unit))) + "</p>\n";

@@ -5304,6 +5304,10 @@
         <translation>Verbinden: die Datei des Scans, der angefügt wird, in Einheit und Koordinaten von diesem.</translation>
     </message>
     <message>
+        <source>joints</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
         <source>keep one</source>
         <translation>eines behalten</translation>
     </message>
@@ -9214,6 +9218,10 @@
     <message>
         <source>{1} rework</source>
         <translation>{1}, Nacharbeit</translation>
+    </message>
+    <message>
+        <source>{1} setups</source>
+        <translation>{1} Aufspannungen</translation>
     </message>
     <message>
         <source>{1} stay uncut: choose a rework tool, or cut them by another operation</source>

@@ -5304,6 +5304,10 @@
         <translation>joindre : le fichier du scan qui est ajouté, dans l'unité et les coordonnées de celui-ci.</translation>
     </message>
     <message>
+        <source>joints</source>
+        <translation>axes</translation>
+    </message>
+    <message>
         <source>keep one</source>
         <translation>n'en garder qu'un</translation>
     </message>
@@ -9214,6 +9218,10 @@
     <message>
         <source>{1} rework</source>
         <translation>{1}, reprise</translation>
+    </message>
+    <message>
+        <source>{1} setups</source>
+        <translation>{1} posages</translation>
     </message>
     <message>
         <source>{1} stay uncut: choose a rework tool, or cut them by another operation</source>
