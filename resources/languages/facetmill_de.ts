@@ -28,10 +28,6 @@
         <translation> von '{1}'</translation>
     </message>
     <message>
-        <source> or "{1}"</source>
-        <translation> oder "{1}"</translation>
-    </message>
-    <message>
         <source>'solid' expected</source>
         <translation>'solid' erwartet</translation>
     </message>

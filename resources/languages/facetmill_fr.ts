@@ -28,10 +28,6 @@
         <translation> de '{1}'</translation>
     </message>
     <message>
-        <source> or "{1}"</source>
-        <translation> ou "{1}"</translation>
-    </message>
-    <message>
         <source>'solid' expected</source>
         <translation>'solid' attendu</translation>
     </message>
