@@ -6028,6 +6028,10 @@
         <translation>nur UNITS/MM und UNITS/INCHES werden gelesen</translation>
     </message>
     <message>
+        <source>only a step of kind hole leaves a hole open</source>
+        <translation>nur ein Schritt der Art Loch lässt ein Loch offen</translation>
+    </message>
+    <message>
         <source>only {1}/OFF is read; output plain GOTO statements</source>
         <translation>nur {1}/OFF wird gelesen; reine GOTO-Anweisungen ausgeben</translation>
     </message>
@@ -7112,6 +7116,10 @@
         <translation>die Länge von Werkzeug {1} wird aufgerufen, und ein anderes ist in der Spindel</translation>
     </message>
     <message>
+        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
+        <translation>die Höhenlinien lassen mehr stehen als erwartet: {1} bleiben um bis zu {2} ungefräst, am meisten bei {3}: eine kleinere Zustellung oder weitere Neigungsgrenzen wählen</translation>
+    </message>
+    <message>
         <source>the limits {1} and {2} leave no travel</source>
         <translation>die Grenzen {1} und {2} lassen keinen Verfahrweg</translation>
     </message>
@@ -7756,12 +7764,12 @@
         <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus und {2} der Fläche um bis zu {3} stehen, am meisten bei {4}: {5} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus: {2} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
-    </message>
-    <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
         <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, deshalb werden {1} der Bahnen ausgelassen: ein um {2} längeres Werkzeug käme hin</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus: {2} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -8548,6 +8556,10 @@
         <translation>was das Rohteil von unten hält</translation>
     </message>
     <message>
+        <source>what is as steep as asked for lies below the bottom of the stock</source>
+        <translation>was so steil ist wie verlangt, liegt unter dem Boden des Rohteils</translation>
+    </message>
+    <message>
         <source>what setup '{1}' left</source>
         <translation>was Aufspannung '{1}' übrig ließ</translation>
     </message>
@@ -8766,6 +8778,10 @@
     <message>
         <source>write one program for each operation: "programs": "each"</source>
         <translation>je Operation ein Programm schreiben: "programs": "each"</translation>
+    </message>
+    <message>
+        <source>write smooth or flat</source>
+        <translation>schreiben Sie glatt oder flach</translation>
     </message>
     <message>
         <source>write some of: {1}</source>

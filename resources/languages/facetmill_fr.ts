@@ -6028,6 +6028,10 @@
         <translation>seuls UNITS/MM et UNITS/INCHES sont lus</translation>
     </message>
     <message>
+        <source>only a step of kind hole leaves a hole open</source>
+        <translation>seule une étape du genre trou laisse un trou ouvert</translation>
+    </message>
+    <message>
         <source>only {1}/OFF is read; output plain GOTO statements</source>
         <translation>seul {1}/OFF est lu ; sortir des instructions GOTO simples</translation>
     </message>
@@ -7112,6 +7116,10 @@
         <translation>la longueur de l'outil {1} est appelée, et un autre est dans la broche</translation>
     </message>
     <message>
+        <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
+        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
+    </message>
+    <message>
         <source>the limits {1} and {2} leave no travel</source>
         <translation>les limites {1} et {2} ne laissent pas de course</translation>
     </message>
@@ -7756,12 +7764,12 @@
         <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises et {2} de la surface restent non usinés jusqu'à {3}, surtout en {4} : {5} suffirait, ou un outil qui s'incline (finish5)</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises : {2} suffirait, ou un outil qui s'incline (finish5)</translation>
-    </message>
-    <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
         <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait</translation>
+    </message>
+    <message>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
+        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises : {2} suffirait, ou un outil qui s'incline (finish5)</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -8548,6 +8556,10 @@
         <translation>ce qui tient le brut par dessous</translation>
     </message>
     <message>
+        <source>what is as steep as asked for lies below the bottom of the stock</source>
+        <translation>ce qui est aussi raide que demandé se trouve sous le bas du brut</translation>
+    </message>
+    <message>
         <source>what setup '{1}' left</source>
         <translation>ce que le posage '{1}' a laissé</translation>
     </message>
@@ -8766,6 +8778,10 @@
     <message>
         <source>write one program for each operation: "programs": "each"</source>
         <translation>écrire un programme par opération : "programs": "each"</translation>
+    </message>
+    <message>
+        <source>write smooth or flat</source>
+        <translation>écrivez lisse ou plat</translation>
     </message>
     <message>
         <source>write some of: {1}</source>
