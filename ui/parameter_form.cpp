@@ -28,6 +28,9 @@ namespace facetmill::ui {
 
 namespace {
 
+/// Pixels: a label may ask for as much, so that fields have room in a narrow form.
+constexpr int widest_word = 110;
+
 QGridLayout* make_grid(QWidget* holder) {
     auto* grid = new QGridLayout(holder);
     grid->setContentsMargins(8, 4, 4, 4);
@@ -172,6 +175,10 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
 
     row.label = new QLabel(worded(info.label), holder);
     row.label->setWordWrap(true);
+    int longest = 0; // lines break between words alone
+    for (const QString& word : row.label->text().split(QLatin1Char(' ')))
+        longest = std::max(longest, row.label->fontMetrics().horizontalAdvance(word) + 1);
+    row.label->setMinimumWidth(std::min(longest, widest_word));
     // Made before the fields, it comes before them with Tab, too, as it stands.
     if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end())
         row.pick = new QToolButton(holder);

@@ -152,9 +152,7 @@ QString EnglishTexts::in(const QString& shown) const {
     words.remove(version);
     if (const auto number = point.match(words); number.hasMatch())
         return QStringLiteral("“%1”: %2").arg(words.left(120), number.captured());
-    // Operations are called in programs what they are called here, which machines' controls show: in English
-    // at first.
-    if (translated_.contains(words) || words == QStringLiteral("Global-local CM²")) return {};
+    if (translated_.contains(words)) return {};
     if (plain_.contains(words)) return QStringLiteral("“%1”").arg(words.left(120));
     for (const Template& one : templates_)
         if (is_of(words, one))
