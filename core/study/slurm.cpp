@@ -60,7 +60,7 @@ std::string job_number(const std::vector<std::string>& words) {
     while (process.read(said, read_wait)) {
     }
     const int status = process.wait();
-    const std::string number = said.substr(0, said.find_first_of(";\n"));
+    std::string number = said.substr(0, said.find_first_of(";\n"));
     if (status != 0 || number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
         throw Error(ErrorCode::internal, "sbatch", "it does not take the job: " + printable(said, 400),
                     "see whether Slurm runs: sinfo");
@@ -77,10 +77,10 @@ std::string shell_word(const std::string& text) {
 }
 
 fs::path program_on_path(const std::string& name) {
-    const char* const path = std::getenv("PATH");
+    const char* const path = std::getenv("PATH"); // NOLINT(concurrency-mt-unsafe): nothing sets it
     std::istringstream folders(path ? path : "/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const fs::path file = fs::path(folder) / name;
+        fs::path file = fs::path(folder) / name;
         std::error_code ec;
         if (fs::is_regular_file(file, ec) && ::access(file.c_str(), X_OK) == 0) return file;
     }

@@ -117,6 +117,7 @@ std::vector<std::size_t> table_order(const StudyFolder& folder, const StudyOutco
         return a.wanted < b.wanted;
     });
     std::vector<std::size_t> order;
+    order.reserve(rows.size());
     for (const Row& row : rows)
         order.push_back(row.number);
     return order;
