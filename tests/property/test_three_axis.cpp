@@ -39,11 +39,12 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
 
 /// Those that cut the part to their tolerance, whatever stands. What takes a stock down by layers states what
 /// it leaves, and is judged by that in test_rough_shapes; what cuts only what another tool left, in
-/// test_cleanup.
+/// test_cleanup; what leaves shallow surface to others, in test_waterline.
 std::vector<std::string> three_axis_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (const auto op = k.make(); op->linking() == Linking::upright && op->further_tools().empty())
+        if (const auto op = k.make();
+            op->linking() == Linking::upright && op->further_tools().empty() && k.kind != "waterline")
             kinds.push_back(k.kind);
     return kinds;
 }
