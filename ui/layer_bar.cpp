@@ -101,7 +101,7 @@ protected:
     }
 
 private:
-    static constexpr int bar = 64, gap = 5;
+    static constexpr int bar = 40, gap = 5;
     QString low_, high_;
 };
 

@@ -29,7 +29,7 @@ namespace facetmill::ui {
 namespace {
 
 /// Pixels: a label may ask for as much, so that fields have room in a narrow form.
-constexpr int widest_word = 110;
+constexpr int widest_word = 136;
 
 QGridLayout* make_grid(QWidget* holder) {
     auto* grid = new QGridLayout(holder);

@@ -128,6 +128,7 @@ void PlaybackBar::add_fields(QBoxLayout& row) {
     for (const double s : motion_speeds)
         speed_->addItem(tr("%1 GOTO/s").arg(count_text(std::size_t(s))), -s);
     speed_->setMaxVisibleItems(20);
+    speed_->setMinimumWidth(80); // beside hours in a small window, which are to be read whole
     connect(speed_, &QComboBox::currentIndexChanged, this, &PlaybackBar::take_speed);
     speed_->setCurrentIndex(4);
     turn_ = new QToolButton(this);
