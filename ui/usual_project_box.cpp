@@ -1,5 +1,6 @@
 #include "ui/usual_project_box.h"
 
+#include "core/job/project_setup.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
 #include "ui/text.h"
