@@ -25,7 +25,7 @@ namespace facetmill::test {
 
 namespace {
 
-QString plain(const QString& text) {
+QString without_marks(const QString& text) {
     if (!Qt::mightBeRichText(text)) return text;
     QTextDocument document;
     document.setHtml(text);
@@ -97,7 +97,7 @@ QStringList shown_texts(const QWidget& window) {
         if (w->isVisible() && w->window() == &window) add_texts(*w, all);
     QSet<QString> lines;
     for (const QString& text : all)
-        for (const QString& line : plain(text).split(QChar('\n')))
+        for (const QString& line : without_marks(text).split(QChar('\n')))
             if (!line.trimmed().isEmpty()) lines << line;
     return {lines.begin(), lines.end()};
 }
@@ -117,9 +117,9 @@ EnglishTexts::EnglishTexts(const QString& language) {
         }
         if (xml.name() != QLatin1String("translation")) continue;
         const QString said = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-        const QString english = bare(plain(source));
-        translated_.insert(bare(plain(said)), true);
-        if (bare(plain(said)) == english || !english.contains(word)) continue;
+        const QString english = bare(without_marks(source));
+        translated_.insert(bare(without_marks(said)), true);
+        if (bare(without_marks(said)) == english || !english.contains(word)) continue;
         QStringList between = english.split(place);
         if (between.size() == 1) {
             plain_.insert(english, true);
