@@ -21,6 +21,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -76,7 +77,9 @@ std::shared_ptr<Mesh> mesh_of(const Doubles& vertices, const Integers& facets) {
 
 Doubles array_of(const std::vector<Vec3>& points) {
     Doubles array({py::ssize_t(points.size()), py::ssize_t(3)});
-    if (!points.empty()) std::memcpy(array.mutable_data(), points.data(), points.size() * sizeof(Vec3));
+    double* to = array.mutable_data();
+    for (const Vec3& p : points)
+        to = std::copy_n(p.data(), 3, to);
     return array;
 }
 
@@ -122,6 +125,7 @@ py::object parsed(const std::string& json) {
 
 std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files) {
     std::vector<std::string> names;
+    names.reserve(files.size());
     for (const auto& file : files)
         names.push_back(file.string());
     return names;
@@ -246,6 +250,7 @@ void describe_errors(py::module_& m) {
     static py::exception<Error> error(m, "Error");
     static py::exception<Cancelled> cancelled(m, "Cancelled");
     error.doc() = "What ends a job: `code`, `where`, `what`, `remedy`, as facetmill-cli writes them.";
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 asks for this signature
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);
