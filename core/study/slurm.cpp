@@ -2,7 +2,6 @@
 
 #include "core/base/child_process.h"
 #include "core/base/file.h"
-#include "core/base/file_lock.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -157,10 +156,7 @@ SlurmStep hand_to_slurm(const StudyFolder& folder, const std::vector<StudyWork>&
 
 SlurmRun go_on_with_slurm(const StudyFolder& folder, const SlurmSettings& settings,
                           const Progress& progress) {
-    const detail::FileLock lock(folder.path() / "lock", detail::FileLock::Open::or_make);
-    if (!lock)
-        throw Error(ErrorCode::unwritable, printable(folder.path().string(), 400),
-                    "another run works on this study", "wait for it, or end it");
+    const detail::FileLock lock = lock_study(folder);
     SlurmRun run{look_at_study(folder, lost_by_slurm(folder), progress), std::nullopt};
     if (!run.outcome.decision.missing.empty())
         run.step = hand_to_slurm(folder, missing_work(folder, run.outcome), settings);

@@ -1,6 +1,6 @@
 #include "core/study/study_run.h"
 
-#include "core/base/file_lock.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -44,6 +44,14 @@ void decide_without_lost(const StudyFolder& folder, StudyOutcome& outcome) {
 
 } // namespace
 
+detail::FileLock lock_study(const StudyFolder& folder) {
+    detail::FileLock lock(folder.path() / "lock", detail::FileLock::Open::or_make);
+    if (!lock)
+        throw Error(ErrorCode::unwritable, printable(folder.path().string(), 400),
+                    "another run works on this study", "wait for it, or end it");
+    return lock;
+}
+
 StudyOutcome look_at_study(const StudyFolder& folder, const std::map<std::string, std::string>& lost,
                            const Progress& progress) {
     StudyOutcome outcome;
@@ -73,10 +81,7 @@ std::vector<StudyWork> missing_work(const StudyFolder& folder, const StudyOutcom
 }
 
 StudyOutcome run_study(const StudyFolder& folder, const StudyEngine& engine, const Progress& progress) {
-    const detail::FileLock lock(folder.path() / "lock", detail::FileLock::Open::or_make);
-    if (!lock)
-        throw Error(ErrorCode::unwritable, printable(folder.path().string(), 400),
-                    "another run works on this study", "wait for it, or end it");
+    const detail::FileLock lock = lock_study(folder);
     StudyOutcome outcome = look_at_study(folder, {}, progress.part(0, 0.02));
     double done = 0.02;
     while (!outcome.decision.missing.empty()) {

@@ -1,6 +1,7 @@
 // A study carried out: by whoever works on its candidates.
 #pragma once
 
+#include "core/base/file_lock.h"
 #include "core/base/progress.h"
 #include "core/study/study_folder.h"
 
@@ -32,6 +33,9 @@ struct StudyOutcome {
     std::map<std::string, std::string> lost; ///< by key
     StudyDecision decision;                  ///< with what is missing, where there is anything
 };
+
+/// The folder of a study, for one run alone. Throws Error(unwritable) where another run has it.
+detail::FileLock lock_study(const StudyFolder& folder);
 
 /// What the folder knows, without working on anything. `lost`: what is not to be asked again, and why.
 StudyOutcome look_at_study(const StudyFolder& folder, const std::map<std::string, std::string>& lost,
