@@ -79,9 +79,7 @@ bool MotionProbes::lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMot
     const Vec3 off = p - near.center_;
     const auto bound = [&](std::size_t k) {
         const double slope = near.x_[k] * n.x() + near.y_[k] * n.y() + near.z_[k] * n.z();
-        const double inside =
-            near.height_[k] - (near.x_[k] * off.x() + near.y_[k] * off.y() + near.z_[k] * off.z());
-        return inside - std::min(slope * line.near, slope * line.far);
+        return near.inside(k, off) - std::min(slope * line.near, slope * line.far);
     };
     bool lowered = false;
     for (const NearMotions::Promising& next : near.promising(0, bound)) {
@@ -94,9 +92,7 @@ bool MotionProbes::lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMot
 bool MotionProbes::deepen(const Vec3& p, Index hint, DepthProbe& probe, NearMotions& near) const {
     bool deeper = hint != no_index && ask_depth(hint, p, probe);
     const Vec3 off = p - near.center_;
-    const auto bound = [&](std::size_t k) {
-        return near.height_[k] - (near.x_[k] * off.x() + near.y_[k] * off.y() + near.z_[k] * off.z());
-    };
+    const auto bound = [&](std::size_t k) { return near.inside(k, off); };
     for (const NearMotions::Promising& next : near.promising(probe.depth, bound)) {
         if (!(next.bound > probe.depth)) break;
         if (near.motions_[next.place] != hint)

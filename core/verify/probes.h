@@ -127,6 +127,10 @@ private:
         std::size_t place;
         double bound;
     };
+    /// How deep in a motion a point may lie, `off` away from the center.
+    double inside(std::size_t k, const Vec3& off) const {
+        return height_[k] - (x_[k] * off.x() + y_[k] * off.y() + z_[k] * off.z());
+    }
     void clear(const Vec3& center);
     void add(Index motion, const Vec3& normal, double at_center);
     /// The places of those whose bound(place) is above `least`, the highest first.
