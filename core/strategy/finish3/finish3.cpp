@@ -348,10 +348,7 @@ void Planner::leave_out_held_up(const Progress& progress) {
                              chord_);
     if (bodies.empty()) return;
     held_ = leave_out_held(result_.passes, bodies, shortest_piece * cover_.radius(), contact_at(), progress);
-    if (held_.kept.empty())
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "shank or holder would come into the part wherever the cutter could cut",
-                    "use a tool that is " + text_(std::max(held_.lack.shank, held_.lack.holder)) + " longer");
+    if (held_.kept.empty()) refuse_held(settings_.name, held_, context_);
     result_.passes = std::move(held_.kept);
 }
 
@@ -376,9 +373,7 @@ void Planner::leave_out_outside(const Progress& progress) {
     const StockField field = stock_before(raw, raw_cell_share * cover_.radius(), progress);
     result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), -settings_.tolerance,
                                    cover_.radius(), contact_at(), progress);
-    if (result_.passes.empty())
-        throw Error(ErrorCode::empty_result, settings_.name, "no pass meets the stock",
-                    "correct the stock's place and size");
+    if (result_.passes.empty()) refuse_beside_raw(settings_.name);
 }
 
 /// Keeps what takes away more than the tolerance somewhere.
@@ -386,10 +381,7 @@ void Planner::leave_out_cut(const Progress& progress) {
     const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
     result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), cusp_allowed_,
                                    cover_.radius(), contact_at(), progress);
-    if (result_.passes.empty())
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "nowhere more than the tolerance stands of the stock",
-                    "leave the operation out, or cut everywhere (rest_only)");
+    if (result_.passes.empty()) refuse_without_rest(settings_.name);
 }
 
 /// Where shank or holder would come into what stands above the flutes. Follows the passes in the order in

@@ -1,7 +1,6 @@
 #include "core/strategy/finish3/finish_warnings.h"
 
 #include "core/base/tolerances.h"
-#include "core/strategy/plan/plan_text.h"
 
 #include <algorithm>
 
@@ -33,6 +32,21 @@ std::string held_warning(const FinishWarnings& w) {
 
 } // namespace
 
+std::string surface_share(const UncutPlaces& uncut, double area) {
+    return share_text(uncut.area, area) + " of the surface";
+}
+
+std::string hollows_warning(const UncutPlaces& uncut, double area, const PlanText& text) {
+    return "the cutter is too large for hollows of the part: " + surface_share(uncut, area)
+           + " stays uncut by up to " + text(uncut.height) + ", most at " + text(uncut.at)
+           + ": use a smaller tool there";
+}
+
+std::string covered_warning(const UncutPlaces& uncut, double area, const PlanText& text) {
+    return surface_share(uncut, area) + " that faces up lies under the part itself, as at " + text(uncut.at)
+           + ", and is not cut: turn the part for another operation";
+}
+
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
     const PlanText text{w.context.unit, w.context.to_setup};
     auto& warnings = result.warnings;
@@ -53,20 +67,13 @@ void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
             std::to_string(w.unsatisfied) + " of " + std::to_string(w.lines)
             + " drive planes cross places so steep that no step-over meets the tolerance: cusps of "
             + text(result.cusp_max) + " stay there, " + text(w.cusp_allowed) + " are allowed");
-    const auto share = [&](const UncutPlaces& places) {
-        return share_text(places.area, w.uncut.area) + " of the surface";
-    };
-    if (const UncutPlaces& u = w.uncut.out_of_reach; u.height > 0)
-        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
-                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
-                           + ": use a smaller tool there");
+    if (w.uncut.out_of_reach.height > 0)
+        warnings.push_back(hollows_warning(w.uncut.out_of_reach, w.uncut.area, text));
     if (const UncutPlaces& u = w.uncut.passed_by; u.height > (1 + tolerance::uncut_margin) * expected)
-        warnings.push_back("the passes leave more than expected: " + share(u) + " stays uncut by up to "
-                           + text(u.height) + ", most at " + text(u.at)
+        warnings.push_back("the passes leave more than expected: " + surface_share(u, w.uncut.area)
+                           + " stays uncut by up to " + text(u.height) + ", most at " + text(u.at)
                            + ": choose a smaller step-over or another direction");
-    if (const UncutPlaces& u = w.uncut.covered; u.height > 0)
-        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text(u.at)
-                           + ", and is not cut: turn the part for another operation");
+    if (w.uncut.covered.height > 0) warnings.push_back(covered_warning(w.uncut.covered, w.uncut.area, text));
 
     if (w.held.left_length > 0) warnings.push_back(held_warning(w));
     if (w.beside_stock.left_length > 0) warnings.push_back(beside_stock_warning(w.beside_stock, w.context));

@@ -4,6 +4,7 @@
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/uncut.h"
+#include "core/strategy/plan/plan_text.h"
 
 namespace facetmill {
 
@@ -17,6 +18,12 @@ struct FinishWarnings {
     int unsatisfied;     ///< lines beside places that no step-over serves
     int lines;           ///< all of them
 };
+
+/// "3 % of the surface". `area`: of the surface that the share is taken of, mm^2; so below.
+std::string surface_share(const UncutPlaces& uncut, double area);
+/// What is said of hollows that the cutter is too large for, and of what lies under the part itself.
+std::string hollows_warning(const UncutPlaces& uncut, double area, const PlanText& text);
+std::string covered_warning(const UncutPlaces& uncut, double area, const PlanText& text);
 
 /// Adds the warnings, and sets the largest cusp to what was measured.
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result);

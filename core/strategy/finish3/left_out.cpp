@@ -1,6 +1,8 @@
 #include "core/strategy/finish3/left_out.h"
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/strategy/plan/plan_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +149,23 @@ std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockFiel
     for (auto& part : parts)
         std::move(part.begin(), part.end(), std::back_inserter(kept));
     return kept;
+}
+
+void refuse_held(const std::string& operation, const HeldOut& held, const PlanContext& context) {
+    const PlanText text{context.unit, context.to_setup};
+    throw Error(ErrorCode::empty_result, operation,
+                "shank or holder would come into the part wherever the cutter could cut",
+                "use a tool that is " + text(std::max(held.lack.shank, held.lack.holder)) + " longer");
+}
+
+void refuse_beside_raw(const std::string& operation) {
+    throw Error(ErrorCode::empty_result, operation, "no pass meets the stock",
+                "correct the stock's place and size");
+}
+
+void refuse_without_rest(const std::string& operation) {
+    throw Error(ErrorCode::empty_result, operation, "nowhere more than the tolerance stands of the stock",
+                "leave the operation out, or cut everywhere (rest_only)");
 }
 
 } // namespace facetmill

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/strategy/plan/operation.h"
 #include "core/strategy/plan/path.h"
 #include "core/strategy/surface/contact_domain.h"
 #include "core/strategy/surface/holder_reach.h"
@@ -10,6 +11,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace facetmill {
@@ -46,11 +48,19 @@ struct HeldOut {
 HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
                        const ContactAt& contact, const Progress& progress);
 
+/// Throws Error(empty_result): all of the passes are held up.
+[[noreturn]] void refuse_held(const std::string& operation, const HeldOut& held, const PlanContext& context);
+
 /// Keeps what takes away more than `least` of height somewhere (below 0: what comes as near as that), and
 /// `beside` before and after, so that the tool comes in where nothing stands. Gaps shorter than twice that
 /// are passed at feed.
 std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockField& field,
                                 const StockCutter& cutter, double least, double beside,
                                 const ContactAt& contact, const Progress& progress);
+
+/// Throws Error(empty_result): no pass meets the raw material.
+[[noreturn]] void refuse_beside_raw(const std::string& operation);
+/// The same: none takes away more than the tolerance, and only that was asked for.
+[[noreturn]] void refuse_without_rest(const std::string& operation);
 
 } // namespace facetmill

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/strategy/finish3/finish_warnings.h"
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/uncut.h"
@@ -222,10 +223,7 @@ void WaterlinePlanner::leave_out_held_up(const Progress& progress) {
                              chord_);
     if (bodies.empty()) return;
     held_ = leave_out_held(result_.passes, bodies, shortest_piece * cover_.radius(), contact_at(), progress);
-    if (held_.kept.empty())
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "shank or holder would come into the part wherever the cutter could cut",
-                    "use a tool that is " + text_(std::max(held_.lack.shank, held_.lack.holder)) + " longer");
+    if (held_.kept.empty()) refuse_held(settings_.name, held_, context_);
     result_.passes = std::move(held_.kept);
 }
 
@@ -240,12 +238,8 @@ void WaterlinePlanner::leave_out_air_passes(const Progress& progress) {
     result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), least, cover_.radius(),
                                    contact_at(), progress.part(0.5, 1));
     if (!result_.passes.empty()) return;
-    if (settings_.rest_only)
-        throw Error(ErrorCode::empty_result, settings_.name,
-                    "nowhere more than the tolerance stands of the stock",
-                    "leave the operation out, or cut everywhere (rest_only)");
-    throw Error(ErrorCode::empty_result, settings_.name, "no pass meets the stock",
-                "correct the stock's place and size");
+    if (settings_.rest_only) refuse_without_rest(settings_.name);
+    refuse_beside_raw(settings_.name);
 }
 
 void WaterlinePlanner::leave_out_beside_stock(const Progress& progress) {
@@ -306,9 +300,6 @@ void WaterlinePlanner::check_uncut(const Progress& progress) {
 
 void WaterlinePlanner::add_warnings() {
     auto& warnings = result_.warnings;
-    const auto share = [&](const UncutPlaces& places) {
-        return share_text(places.area, area_) + " of the surface";
-    };
     if (settings_.stepdown.is_number() && result_.cusp_max > cusp_allowed_)
         warnings.push_back("the step-down of " + text_(settings_.stepdown.number) + " leaves cusps of "
                            + text_(result_.cusp_max) + "; the tolerance allows " + text_(cusp_allowed_));
@@ -320,18 +311,14 @@ void WaterlinePlanner::add_warnings() {
         warnings.push_back(share_text(uncut_.below, area_)
                            + " of the surface would only be cut by a tip below the lowest level: allow it by "
                              "'Below the bottom', where nothing holds the stock there");
-    if (const UncutPlaces& u = uncut_.out_of_reach; u.height > 0)
-        warnings.push_back("the cutter is too large for hollows of the part: " + share(u)
-                           + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
-                           + ": use a smaller tool there");
+    if (uncut_.out_of_reach.height > 0)
+        warnings.push_back(hollows_warning(uncut_.out_of_reach, area_, text_));
     if (const UncutPlaces& u = uncut_.passed_by;
         u.height > (1 + tolerance::uncut_margin) * std::max(result_.cusp_max, cusp_allowed_))
-        warnings.push_back("the levels leave more than expected: " + share(u) + " stays uncut by up to "
-                           + text_(u.height) + ", most at " + text_(u.at)
+        warnings.push_back("the levels leave more than expected: " + surface_share(u, area_)
+                           + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
                            + ": choose a smaller step-down, or wider slope limits");
-    if (const UncutPlaces& u = uncut_.covered; u.height > 0)
-        warnings.push_back(share(u) + " that faces up lies under the part itself, as at " + text_(u.at)
-                           + ", and is not cut: turn the part for another operation");
+    if (uncut_.covered.height > 0) warnings.push_back(covered_warning(uncut_.covered, area_, text_));
     if (held_.left_length > 0)
         warnings.push_back("the tool is short: shank or holder would come into the part, so "
                            + share_text(held_.left_length, held_.length)
