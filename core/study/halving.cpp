@@ -253,8 +253,9 @@ std::string missed_limits(const RungResult& result, const std::vector<SetLimit>&
     for (const SetLimit& limit : limits) {
         const auto& value = result.measures[limit.measure];
         if (!value || *value <= limit.most) continue;
-        text += (text.empty() ? "" : "; ") + std::string(measure_name(limit.measure)) + " is "
-                + format_number(*value) + ", at most " + format_number(limit.most) + " is allowed";
+        const std::string missed = std::string(measure_name(limit.measure)) + " is " + format_number(*value)
+                                   + ", at most " + format_number(limit.most) + " is allowed";
+        text += (text.empty() ? "" : "; ") + missed;
     }
     return text;
 }

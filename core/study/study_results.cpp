@@ -175,11 +175,12 @@ std::string study_markdown(const StudyFolder& folder, const StudyOutcome& outcom
         const CandidateState& state = state_of(outcome, i);
         text +=
             "| " + std::to_string(i) + " | " + standing_of(outcome, i) + " | " + rung_of_state(state) + " |";
-        for (std::size_t v = 0; v < folder.study().vary.size(); ++v)
-            text += " "
-                    + (c.chosen.empty() ? "as it stands"
-                                        : markdown_cell(folder.study().vary[v].choices[c.chosen[v]].label))
-                    + " |";
+        for (std::size_t v = 0; v < folder.study().vary.size(); ++v) {
+            const std::string shown = c.chosen.empty()
+                                          ? std::string("as it stands")
+                                          : markdown_cell(folder.study().vary[v].choices[c.chosen[v]].label);
+            text += " " + shown + " |";
+        }
         const RungResult* last = state.last();
         for (const Measure m : all_measures())
             text += " " + (last ? number_text(last->measures[m]) : "") + " |";

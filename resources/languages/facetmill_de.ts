@@ -52,8 +52,16 @@
         <translation>'{1}' hat ein Komma</translation>
     </message>
     <message>
+        <source>'{1}' has no '{2}'</source>
+        <translation>'{1}' hat kein '{2}'</translation>
+    </message>
+    <message>
         <source>'{1}' has no decimal point, and the control would count its last digits</source>
         <translation>'{1}' hat keinen Dezimalpunkt, und die Steuerung würde die letzten Stellen zählen</translation>
+    </message>
+    <message>
+        <source>'{1}' has no keys</source>
+        <translation>'{1}' hat keine Schlüssel</translation>
     </message>
     <message>
         <source>'{1}' has two meanings</source>
@@ -80,6 +88,10 @@
         <translation>'{1}' ist nicht Buchstabe und Zahl</translation>
     </message>
     <message>
+        <source>'{1}' is no list</source>
+        <translation>'{1}' ist keine Liste</translation>
+    </message>
+    <message>
         <source>'{1}' is no meaning of a code</source>
         <translation>'{1}' ist keine Bedeutung eines Codes</translation>
     </message>
@@ -94,6 +106,22 @@
     <message>
         <source>'{1}' is no number or range of {2}</source>
         <translation>'{1}' ist keine Nummer und kein Bereich: {2}</translation>
+    </message>
+    <message>
+        <source>'{1}' is no operation, or stands twice</source>
+        <translation>'{1}' ist keine Operation oder steht zweimal da</translation>
+    </message>
+    <message>
+        <source>'{1}' is no rung of a study</source>
+        <translation>'{1}' ist keine Stufe einer Studie</translation>
+    </message>
+    <message>
+        <source>'{1}' is no share</source>
+        <translation>'{1}' ist kein Anteil</translation>
+    </message>
+    <message>
+        <source>'{1}' is no such count</source>
+        <translation>'{1}' ist keine solche Anzahl</translation>
     </message>
     <message>
         <source>'{1}' is no unit that this field can have</source>
@@ -158,6 +186,10 @@
     <message>
         <source>'{1}' stands behind what has a unit already</source>
         <translation>'{1}' steht hinter etwas, das schon eine Einheit hat</translation>
+    </message>
+    <message>
+        <source>'{1}' stands for no values</source>
+        <translation>'{1}' steht für keine Werte</translation>
     </message>
     <message>
         <source>'{1}' stands where values should</source>
@@ -2076,6 +2108,10 @@
         <translation>Neigungen, die bearbeitet werden, von der Waagrechten an: 0 ist ein Boden, 90 Grad eine Wand. Was weniger steil ist, ist für parallele Bahnen.</translation>
     </message>
     <message>
+        <source>Slurm is not here</source>
+        <translation>Slurm ist nicht da</translation>
+    </message>
+    <message>
         <source>Smallest and largest inclination of the tool axis from the surface normal towards the travel.</source>
         <translation>Kleinste und größte Neigung der Werkzeugachse von der Flächennormalen zur Fahrtrichtung.</translation>
     </message>
@@ -3068,6 +3104,10 @@
         <translation>ein Loch würde mit mehr als {1} Facetten gefüllt</translation>
     </message>
     <message>
+        <source>a kind of operation</source>
+        <translation>eine Art von Operation</translation>
+    </message>
+    <message>
         <source>a lead limit of 0 leaves the main path no hollows</source>
         <translation>eine Grenze des Anstellwinkels von 0 lässt dem Hauptweg keine Mulden</translation>
     </message>
@@ -3100,12 +3140,20 @@
         <translation>ein Name ist leer oder zu lang</translation>
     </message>
     <message>
+        <source>a name is missing</source>
+        <translation>ein Name fehlt</translation>
+    </message>
+    <message>
         <source>a name leads elsewhere</source>
         <translation>ein Name führt anderswohin</translation>
     </message>
     <message>
         <source>a name occurs twice</source>
         <translation>ein Name kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>a newer Facetmill wrote this study</source>
+        <translation>ein neueres Facetmill hat diese Studie geschrieben</translation>
     </message>
     <message>
         <source>a number expected, found '{1}'</source>
@@ -3134,6 +3182,10 @@
     <message>
         <source>a number or outer loop</source>
         <translation>eine Zahl oder outer loop</translation>
+    </message>
+    <message>
+        <source>a number, "project" or { "project_times": 1.1 }</source>
+        <translation>eine Zahl, "project" oder { "project_times": 1.1 }</translation>
     </message>
     <message>
         <source>a part of an object stands outside of any</source>
@@ -3604,6 +3656,14 @@
         <translation>eine Operation an einem drehenden Teil kennt keine Begrenzungen</translation>
     </message>
     <message>
+        <source>an order leaves operations out</source>
+        <translation>eine Reihenfolge lässt Operationen aus</translation>
+    </message>
+    <message>
+        <source>an order of operations is a list of their names</source>
+        <translation>eine Reihenfolge von Operationen ist eine Liste ihrer Namen</translation>
+    </message>
+    <message>
         <source>an xz archive</source>
         <translation>ein xz-Archiv</translation>
     </message>
@@ -3616,12 +3676,24 @@
         <translation>in ihr folgt auf die erste STL-Datei eine weitere</translation>
     </message>
     <message>
+        <source>another program works on this study ({1}; this is {2})</source>
+        <translation>ein anderes Programm arbeitet an dieser Studie ({1}; dieses ist {2})</translation>
+    </message>
+    <message>
+        <source>another run works on this study</source>
+        <translation>ein anderer Lauf arbeitet an dieser Studie</translation>
+    </message>
+    <message>
         <source>another {1} is called '{2}'</source>
         <translation>'{2}' heißt schon etwas anderes ({1})</translation>
     </message>
     <message>
         <source>arcs about a centre of their own block are told in XY and do not climb</source>
         <translation>Bögen um einen Mittelpunkt in einem eigenen Satz liegen in XY und steigen nicht</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>wie es ist</translation>
     </message>
     <message>
         <source>as many answers as points are needed</source>
@@ -3748,6 +3820,10 @@
         <translation>seine eigene aufrufen</translation>
     </message>
     <message>
+        <source>candidate {1}</source>
+        <translation>Kandidat {1}</translation>
+    </message>
+    <message>
         <source>cannot be reached: {1} of the surface ({2}) around {3}: {4}</source>
         <translation>unerreichbar: {1} der Fläche ({2}) um {3}: {4}</translation>
     </message>
@@ -3814,6 +3890,10 @@
     <message>
         <source>check its permissions</source>
         <translation>die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>check its place, permissions and the disk</source>
+        <translation>Ort, Rechte und Datenträger prüfen</translation>
     </message>
     <message>
         <source>check part and direction</source>
@@ -4002,6 +4082,10 @@
     <message>
         <source>choose a larger step-over or tolerance</source>
         <translation>Bahnabstand oder Toleranz größer wählen</translation>
+    </message>
+    <message>
+        <source>choose a larger tolerance or step-over</source>
+        <translation>größere Toleranz oder größeren Bahnabstand wählen</translation>
     </message>
     <message>
         <source>choose a smaller allowance, or a larger stock</source>
@@ -4596,6 +4680,10 @@
         <translation>jedem Werkzeug eine eigene Nummer geben</translation>
     </message>
     <message>
+        <source>give estimate, coarse or fine</source>
+        <translation>estimate, coarse oder fine angeben</translation>
+    </message>
+    <message>
         <source>give every axis its own name</source>
         <translation>jeder Achse ihren eigenen Namen geben</translation>
     </message>
@@ -4852,6 +4940,14 @@
         <translation>hat kein Volumen</translation>
     </message>
     <message>
+        <source>has not been verified</source>
+        <translation>wurde nicht geprüft</translation>
+    </message>
+    <message>
+        <source>has not been verified: {1}</source>
+        <translation>wurde nicht geprüft: {1}</translation>
+    </message>
+    <message>
         <source>has too many sections</source>
         <translation>hat zu viele Abschnitte</translation>
     </message>
@@ -4968,6 +5064,10 @@
         <translation>ganz Facetmill installieren oder mit OpenCASCADE bauen; oder das Teil als STL exportieren</translation>
     </message>
     <message>
+        <source>install its commands (Debian: slurm-client), or give --on local</source>
+        <translation>seine Befehle installieren (Debian: slurm-client) oder --on local angeben</translation>
+    </message>
+    <message>
         <source>is a file that the job reads</source>
         <translation>ist eine Datei, die der Auftrag liest</translation>
     </message>
@@ -4982,6 +5082,10 @@
     <message>
         <source>is a link or no plain file</source>
         <translation>ist eine Verknüpfung oder keine einfache Datei</translation>
+    </message>
+    <message>
+        <source>is a packed project: its files have no place of their own</source>
+        <translation>ist ein gepacktes Projekt: seine Dateien haben keinen eigenen Ort</translation>
     </message>
     <message>
         <source>is a tool library of a newer Facetmill</source>
@@ -5100,8 +5204,16 @@
         <translation>ist für ein Projekt zu groß</translation>
     </message>
     <message>
+        <source>is what the project as it stands comes to, which is not known: {1}</source>
+        <translation>ist das, worauf das Projekt, wie es ist, kommt, und das ist nicht bekannt: {1}</translation>
+    </message>
+    <message>
         <source>is {1}</source>
         <translation>ist {1}</translation>
+    </message>
+    <message>
+        <source>it begins with a point</source>
+        <translation>er beginnt mit einem Punkt</translation>
     </message>
     <message>
         <source>it cannot be judged: {1}</source>
@@ -5152,6 +5264,10 @@
         <translation>es trifft nicht auf das Rohteil von {1}: sie sind {2} auseinander, wie das Teil in beiden liegt</translation>
     </message>
     <message>
+        <source>it does not take the job: {1}</source>
+        <translation>es nimmt den Auftrag nicht an: {1}</translation>
+    </message>
+    <message>
         <source>it ends where a number is missing</source>
         <translation>es endet, wo eine Zahl fehlt</translation>
     </message>
@@ -5174,6 +5290,10 @@
     <message>
         <source>it is alike in all directions and has no principal axes</source>
         <translation>es ist in allen Richtungen gleich und hat keine Hauptachsen</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>er ist leer</translation>
     </message>
     <message>
         <source>it is larger than it says</source>
@@ -5240,6 +5360,10 @@
         <translation>es wurde inzwischen geschrieben</translation>
     </message>
     <message>
+        <source>it, or a file that it reads, was changed since the study began</source>
+        <translation>es oder eine Datei, die es liest, wurde geändert, seit die Studie begann</translation>
+    </message>
+    <message>
         <source>its attributes cannot be read</source>
         <translation>die Attribute sind nicht lesbar</translation>
     </message>
@@ -5286,6 +5410,14 @@
     <message>
         <source>its tool is not in the project any more</source>
         <translation>ihr Werkzeug ist nicht mehr im Projekt</translation>
+    </message>
+    <message>
+        <source>its worker ended with status {1}</source>
+        <translation>sein Arbeiter endete mit Status {1}</translation>
+    </message>
+    <message>
+        <source>its worker was ended by signal {1}</source>
+        <translation>sein Arbeiter wurde durch Signal {1} beendet</translation>
     </message>
     <message>
         <source>its {1} strips would take more than {2} points of passes</source>
@@ -5444,6 +5576,18 @@
         <translation>weniger als 0,01 % der Fläche</translation>
     </message>
     <message>
+        <source>let coarser settings vary</source>
+        <translation>gröbere Einstellungen variieren lassen</translation>
+    </message>
+    <message>
+        <source>let less vary</source>
+        <translation>weniger variieren lassen</translation>
+    </message>
+    <message>
+        <source>let more vary, or allow more</source>
+        <translation>mehr variieren lassen oder mehr erlauben</translation>
+    </message>
+    <message>
         <source>let the name end in .stl, .3mf or .ply</source>
         <translation>den Namen auf .stl, .3mf oder .ply enden lassen</translation>
     </message>
@@ -5454,6 +5598,18 @@
     <message>
         <source>list X, Y and Z</source>
         <translation>X, Y und Z nennen</translation>
+    </message>
+    <message>
+        <source>list at least "machining_time"</source>
+        <translation>mindestens "machining_time" nennen</translation>
+    </message>
+    <message>
+        <source>list at least one</source>
+        <translation>mindestens einen nennen</translation>
+    </message>
+    <message>
+        <source>list at least one place of the project with two values</source>
+        <translation>mindestens einen Ort des Projekts mit zwei Werten nennen</translation>
     </message>
     <message>
         <source>list at least one setup</source>
@@ -5472,6 +5628,10 @@
         <translation>die Schritte auflisten</translation>
     </message>
     <message>
+        <source>list what is wanted, as ["machining_time"]</source>
+        <translation>nennen, was gewünscht ist, wie ["machining_time"]</translation>
+    </message>
+    <message>
         <source>local</source>
         <translation>lokal</translation>
     </message>
@@ -5482,6 +5642,10 @@
     <message>
         <source>look across it, as along 0, 0, 1</source>
         <translation>quer dazu blicken, etwa entlang 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>lost: {1}</source>
+        <translation>verloren: {1}</translation>
     </message>
     <message>
         <source>low {1}</source>
@@ -5526,6 +5690,10 @@
     <message>
         <source>materials</source>
         <translation>Werkstoffe</translation>
+    </message>
+    <message>
+        <source>measured are: {1}</source>
+        <translation>gemessen werden: {1}</translation>
     </message>
     <message>
         <source>mend it, or leave it out</source>
@@ -5656,6 +5824,10 @@
         <translation>eine Datei nennen: {1}</translation>
     </message>
     <message>
+        <source>name each once: {1}</source>
+        <translation>jede einmal nennen: {1}</translation>
+    </message>
+    <message>
         <source>name faces of the part's file</source>
         <translation>Flächen der Datei des Teils nennen</translation>
     </message>
@@ -5700,6 +5872,10 @@
         <translation>die Datei des Teils nennen</translation>
     </message>
     <message>
+        <source>name the project's file</source>
+        <translation>die Datei des Projekts nennen</translation>
+    </message>
+    <message>
         <source>name the stock's mesh file</source>
         <translation>die Netzdatei des Rohteils nennen</translation>
     </message>
@@ -5710,6 +5886,10 @@
     <message>
         <source>name the tool, or write a .fctl library</source>
         <translation>das Werkzeug nennen oder eine .fctl-Bibliothek schreiben</translation>
+    </message>
+    <message>
+        <source>name what varies</source>
+        <translation>nennen, was variiert</translation>
     </message>
     <message>
         <source>names a vertex that does not exist</source>
@@ -5732,6 +5912,10 @@
         <translation>Namen, durch Kommas getrennt</translation>
     </message>
     <message>
+        <source>nearest comes {1} ({2}): {3}</source>
+        <translation>am nächsten kommt {1} ({2}): {3}</translation>
+    </message>
+    <message>
         <source>needles</source>
         <translation>Nadeln</translation>
     </message>
@@ -5750,6 +5934,10 @@
     <message>
         <source>no arc of this radius leads there</source>
         <translation>kein Bogen dieses Radius führt dorthin</translation>
+    </message>
+    <message>
+        <source>no candidate meets the limits; {1}</source>
+        <translation>kein Kandidat hält die Grenzen ein; {1}</translation>
     </message>
     <message>
         <source>no code means '{1}'</source>
@@ -5892,12 +6080,20 @@
         <translation>keiner von {1} Berührpunkten hat eine freie Stellung</translation>
     </message>
     <message>
+        <source>none was planned</source>
+        <translation>keiner wurde geplant</translation>
+    </message>
+    <message>
         <source>normals turn by more than the limit</source>
         <translation>Normalen drehen sich um mehr als die Grenze</translation>
     </message>
     <message>
         <source>not judged</source>
         <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>nicht angesehen</translation>
     </message>
     <message>
         <source>not one line has the word {wcs}</source>
@@ -5924,8 +6120,20 @@
         <translation>nichts wird gefräst</translation>
     </message>
     <message>
+        <source>nothing is measured that is called '{1}'</source>
+        <translation>nichts, was gemessen wird, heißt '{1}'</translation>
+    </message>
+    <message>
+        <source>nothing is wanted</source>
+        <translation>nichts ist gewünscht</translation>
+    </message>
+    <message>
         <source>nothing lies on the file's build plate</source>
         <translation>auf der Bauplatte der Datei liegt nichts</translation>
+    </message>
+    <message>
+        <source>nothing may vary</source>
+        <translation>nichts darf variieren</translation>
     </message>
     <message>
         <source>nothing of it is left by {1}</source>
@@ -6356,6 +6564,10 @@
         <translation>U/min</translation>
     </message>
     <message>
+        <source>run the study again</source>
+        <translation>die Studie noch einmal laufen lassen</translation>
+    </message>
+    <message>
         <source>sample surface</source>
         <translation>Beispielfläche</translation>
     </message>
@@ -6436,12 +6648,20 @@
         <translation>siehe die Codes ihres Postprozessors</translation>
     </message>
     <message>
+        <source>see the numbers in table.md</source>
+        <translation>siehe die Zahlen in table.md</translation>
+    </message>
+    <message>
         <source>see the words and codes of its post</source>
         <translation>siehe die Wörter und Codes ihres Postprozessors</translation>
     </message>
     <message>
         <source>see the words of its post</source>
         <translation>siehe die Wörter ihres Postprozessors</translation>
+    </message>
+    <message>
+        <source>see whether Slurm runs: sinfo</source>
+        <translation>nachsehen, ob Slurm läuft: sinfo</translation>
     </message>
     <message>
         <source>send Z home first</source>
@@ -6618,6 +6838,10 @@
     <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>ein kleineres Werkzeug nehmen oder ihm senkrechtes Eintauchen erlauben</translation>
+    </message>
+    <message>
+        <source>take the winner, or one of the front</source>
+        <translation>den Sieger nehmen oder einen der Front</translation>
     </message>
     <message>
         <source>taper {1}°</source>
@@ -7022,6 +7246,10 @@
     <message>
         <source>the fixtures {1}</source>
         <translation>die Spannmittel {1}</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner kann nicht angelegt werden</translation>
     </message>
     <message>
         <source>the folder cannot be made: {1}</source>
@@ -7436,6 +7664,10 @@
         <translation>das Programm, das sie geschrieben hat, macht es falsch: exportieren Sie das Teil mit einem anderen</translation>
     </message>
     <message>
+        <source>the project as it stands</source>
+        <translation>das Projekt, wie es ist</translation>
+    </message>
+    <message>
         <source>the project has no operations</source>
         <translation>das Projekt hat keine Operationen</translation>
     </message>
@@ -7450,6 +7682,10 @@
     <message>
         <source>the project has no tools: add one</source>
         <translation>das Projekt hat keine Werkzeuge: eines hinzufügen</translation>
+    </message>
+    <message>
+        <source>the project has several setups</source>
+        <translation>das Projekt hat mehrere Aufspannungen</translation>
     </message>
     <message>
         <source>the radius at height {1} is too large</source>
@@ -7474,6 +7710,10 @@
     <message>
         <source>the rotary axes do not stand where the tilted plane is held</source>
         <translation>die Drehachsen stehen nicht, wo die geschwenkte Ebene gehalten wird</translation>
+    </message>
+    <message>
+        <source>the same as {1}</source>
+        <translation>dasselbe wie {1}</translation>
     </message>
     <message>
         <source>the scan would have to move by {1} to fit</source>
@@ -7654,6 +7894,10 @@
     <message>
         <source>the text is too long</source>
         <translation>der Text ist zu lang</translation>
+    </message>
+    <message>
+        <source>the text of a study</source>
+        <translation>der Text einer Studie</translation>
     </message>
     <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
@@ -7976,8 +8220,16 @@
         <translation>dann verschoben um {1}</translation>
     </message>
     <message>
+        <source>there are more than 10^15 combinations</source>
+        <translation>es gibt mehr als 10^15 Kombinationen</translation>
+    </message>
+    <message>
         <source>there are more than two rotary axes</source>
         <translation>es gibt mehr als zwei Drehachsen</translation>
+    </message>
+    <message>
+        <source>there are no values, or two kinds of them</source>
+        <translation>es gibt keine Werte oder zwei Arten davon</translation>
     </message>
     <message>
         <source>there are statements after FINI</source>
@@ -7996,12 +8248,20 @@
         <translation>es gibt zwei Achsen {1}</translation>
     </message>
     <message>
+        <source>there are: {1}</source>
+        <translation>es gibt: {1}</translation>
+    </message>
+    <message>
         <source>there is motion after END</source>
         <translation>nach END stehen Bewegungen</translation>
     </message>
     <message>
         <source>there is no '='</source>
         <translation>es fehlt '='</translation>
+    </message>
+    <message>
+        <source>there is no '{1}'; there are {2}</source>
+        <translation>es gibt kein '{1}'; es gibt {2}</translation>
     </message>
     <message>
         <source>there is no CUTTER statement</source>
@@ -8052,8 +8312,16 @@
         <translation>vor dem Schlüssel steht kein Name einer Operation</translation>
     </message>
     <message>
+        <source>there is no point behind a bracket</source>
+        <translation>hinter einer Klammer steht kein Punkt</translation>
+    </message>
+    <message>
         <source>there is no program</source>
         <translation>es gibt kein Programm</translation>
+    </message>
+    <message>
+        <source>there is no result</source>
+        <translation>es gibt kein Ergebnis</translation>
     </message>
     <message>
         <source>there is no room for the tool to enter</source>
@@ -8074,6 +8342,10 @@
     <message>
         <source>there is no stock</source>
         <translation>es gibt kein Rohteil</translation>
+    </message>
+    <message>
+        <source>there is no such candidate</source>
+        <translation>einen solchen Kandidaten gibt es nicht</translation>
     </message>
     <message>
         <source>there is no such end</source>
@@ -8104,6 +8376,10 @@
         <translation>es gibt kein Werkzeug {1}</translation>
     </message>
     <message>
+        <source>there is no value to try</source>
+        <translation>es gibt keinen Wert, der zu versuchen wäre</translation>
+    </message>
+    <message>
         <source>there is no verdict in them</source>
         <translation>darin ist kein Prüfergebnis</translation>
     </message>
@@ -8126,6 +8402,10 @@
     <message>
         <source>there is nothing that this format can carry</source>
         <translation>nichts davon passt in dieses Format</translation>
+    </message>
+    <message>
+        <source>these are too many values</source>
+        <translation>das sind zu viele Werte</translation>
     </message>
     <message>
         <source>they are not what was written</source>
@@ -8328,6 +8608,10 @@
         <translation>zwei Programme hätten den Namen '{1}'</translation>
     </message>
     <message>
+        <source>two setups have such an operation: name the setup</source>
+        <translation>zwei Aufspannungen haben eine solche Operation: die Aufspannung nennen</translation>
+    </message>
+    <message>
         <source>two work coordinate systems in '{1}'</source>
         <translation>zwei Werkstückkoordinatensysteme in '{1}'</translation>
     </message>
@@ -8398,6 +8682,10 @@
     <message>
         <source>unpack it by other means, if you trust it</source>
         <translation>anders entpacken, wenn man ihm traut</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>zuerst auspacken</translation>
     </message>
     <message>
         <source>unwound</source>
@@ -8524,12 +8812,28 @@
         <translation>Kleinbuchstaben und _ verwenden</translation>
     </message>
     <message>
+        <source>use the newer program</source>
+        <translation>das neuere Programm benutzen</translation>
+    </message>
+    <message>
+        <source>use the same one on all machines, or begin with this one: study run</source>
+        <translation>auf allen Rechnern dasselbe benutzen oder mit diesem beginnen: study run</translation>
+    </message>
+    <message>
         <source>value {1} of {2}, '{3}', is not a number</source>
         <translation>Wert {1} von {2}, '{3}', ist keine Zahl</translation>
     </message>
     <message>
+        <source>vary: no combination is possible</source>
+        <translation>vary: keine Kombination ist möglich</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>wait for it, or end it</source>
+        <translation>darauf warten oder ihn beenden</translation>
     </message>
     <message>
         <source>was asked for a pose that is not finite or has no unit axis</source>
@@ -8616,12 +8920,28 @@
         <translation>damit enthielte das Archiv mehr als {1} Bytes</translation>
     </message>
     <message>
+        <source>would take {1}</source>
+        <translation>würde {1} dauern</translation>
+    </message>
+    <message>
         <source>write "mm" or "in"</source>
         <translation>"mm" oder "in" schreiben</translation>
     </message>
     <message>
         <source>write "planes": ["xy"] and "helix": false</source>
         <translation>"planes": ["xy"] und "helix": false schreiben</translation>
+    </message>
+    <message>
+        <source>write "samples" of at most {1}</source>
+        <translation>"samples" von höchstens {1} schreiben</translation>
+    </message>
+    <message>
+        <source>write "study": 1</source>
+        <translation>"study": 1 schreiben</translation>
+    </message>
+    <message>
+        <source>write "values", or "from", "to" and "steps"</source>
+        <translation>"values" schreiben, oder "from", "to" und "steps"</translation>
     </message>
     <message>
         <source>write '%' first and last alone</source>
@@ -8676,8 +8996,20 @@
         <translation>einen Punkt und Buchstaben schreiben, wie .ngc</translation>
     </message>
     <message>
+        <source>write a list, "tools" or "orders"</source>
+        <translation>eine Liste, "tools" oder "orders" schreiben</translation>
+    </message>
+    <message>
         <source>write a name without slashes</source>
         <translation>einen Namen ohne Schrägstriche schreiben</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>eine Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write a number above 0, at most 1</source>
+        <translation>eine Zahl über 0, höchstens 1 schreiben</translation>
     </message>
     <message>
         <source>write a number above 0, or leave it out</source>
@@ -8686,6 +9018,10 @@
     <message>
         <source>write a number of ordinary size</source>
         <translation>eine Zahl üblicher Größe schreiben</translation>
+    </message>
+    <message>
+        <source>write a place of the project's file, as operations[Finish].tolerance</source>
+        <translation>einen Ort der Projektdatei schreiben, wie operations[Finish].tolerance</translation>
     </message>
     <message>
         <source>write a point on the rotation axis</source>
@@ -8700,8 +9036,16 @@
         <translation>eine ganze Zahl schreiben</translation>
     </message>
     <message>
+        <source>write a whole number from {1}</source>
+        <translation>eine ganze Zahl ab {1} schreiben</translation>
+    </message>
+    <message>
         <source>write all of its lines</source>
         <translation>alle seine Zeilen schreiben</translation>
+    </message>
+    <message>
+        <source>write at most {1}</source>
+        <translation>höchstens {1} schreiben</translation>
     </message>
     <message>
         <source>write both in one line</source>
@@ -8714,6 +9058,14 @@
     <message>
         <source>write decimal numbers; formulas and variables are not read</source>
         <translation>Dezimalzahlen schreiben; Formeln und Variablen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>write how many times the project's</source>
+        <translation>schreiben, das Wievielfache des Projekts</translation>
+    </message>
+    <message>
+        <source>write how many values there are</source>
+        <translation>schreiben, wie viele Werte es gibt</translation>
     </message>
     <message>
         <source>write it</source>
@@ -8780,6 +9132,14 @@
         <translation>je Operation ein Programm schreiben: "programs": "each"</translation>
     </message>
     <message>
+        <source>write out those that are meant</source>
+        <translation>die gemeinten ausschreiben</translation>
+    </message>
+    <message>
+        <source>write setups[NAME]. before it; setups there are: {1}</source>
+        <translation>setups[NAME]. davor schreiben; Aufspannungen gibt es: {1}</translation>
+    </message>
+    <message>
         <source>write smooth or flat</source>
         <translation>schreiben Sie glatt oder flach</translation>
     </message>
@@ -8808,12 +9168,20 @@
         <translation>die untere Grenze zuerst schreiben</translation>
     </message>
     <message>
+        <source>write the orders of operations out, with the setup in the path</source>
+        <translation>die Reihenfolgen der Operationen ausschreiben, mit der Aufspannung im Pfad</translation>
+    </message>
+    <message>
         <source>write the other one of ( and ;, or leave it out</source>
         <translation>das andere von ( und ; schreiben oder weglassen</translation>
     </message>
     <message>
         <source>write the part in pieces</source>
         <translation>das Teil in Stücken schreiben</translation>
+    </message>
+    <message>
+        <source>write the place in the project that varies, as "operations[Finish].tolerance"</source>
+        <translation>den Ort im Projekt schreiben, der variiert, wie "operations[Finish].tolerance"</translation>
     </message>
     <message>
         <source>write the tool's number before it</source>
@@ -8830,6 +9198,10 @@
     <message>
         <source>write where the middle of the part's bottom stands</source>
         <translation>schreiben, wo die Mitte des Bodens des Teils steht</translation>
+    </message>
+    <message>
+        <source>write where the values end</source>
+        <translation>schreiben, wo die Werte enden</translation>
     </message>
     <message>
         <source>write {1}</source>
@@ -8976,6 +9348,10 @@
         <translation>{1} Kollisionen, die tiefste {2}</translation>
     </message>
     <message>
+        <source>{1} combinations are too many</source>
+        <translation>{1} Kombinationen sind zu viele</translation>
+    </message>
+    <message>
         <source>{1} contact point was left by operations before</source>
         <translation>{1} Berührpunkt ließen vorherige Operationen</translation>
     </message>
@@ -9084,8 +9460,16 @@
         <translation>{1} ist ausgeschaltet und wird nicht gefräst</translation>
     </message>
     <message>
+        <source>{1} is {2}, at most {3} is allowed</source>
+        <translation>{1} ist {2}, höchstens {3} ist erlaubt</translation>
+    </message>
+    <message>
         <source>{1} is {2}, not a whole number</source>
         <translation>{1} ist {2}, keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{1} jobs of Slurm ended without a result</source>
+        <translation>{1} Aufträge von Slurm endeten ohne Ergebnis</translation>
     </message>
     <message>
         <source>{1} lines per turn leave cusps of {2}; the tolerance allows {3}</source>
@@ -9190,6 +9574,10 @@
     <message>
         <source>{1} of {2} drive planes cross places where no step-over meets the tolerance</source>
         <translation>{1} von {2} Führungsebenen kreuzen Stellen, wo kein Bahnabstand die Toleranz einhält</translation>
+    </message>
+    <message>
+        <source>{1} operations have too many orders</source>
+        <translation>{1} Operationen haben zu viele Reihenfolgen</translation>
     </message>
     <message>
         <source>{1} or {2}</source>

@@ -52,8 +52,16 @@
         <translation>'{1}' a une virgule</translation>
     </message>
     <message>
+        <source>'{1}' has no '{2}'</source>
+        <translation>'{1}' n'a pas de '{2}'</translation>
+    </message>
+    <message>
         <source>'{1}' has no decimal point, and the control would count its last digits</source>
         <translation>'{1}' n'a pas de point décimal, et la commande compterait ses derniers chiffres</translation>
+    </message>
+    <message>
+        <source>'{1}' has no keys</source>
+        <translation>'{1}' n'a pas de clés</translation>
     </message>
     <message>
         <source>'{1}' has two meanings</source>
@@ -80,6 +88,10 @@
         <translation>'{1}' n'est pas une lettre et un nombre</translation>
     </message>
     <message>
+        <source>'{1}' is no list</source>
+        <translation>'{1}' n'est pas une liste</translation>
+    </message>
+    <message>
         <source>'{1}' is no meaning of a code</source>
         <translation>'{1}' n'est pas la signification d'un code</translation>
     </message>
@@ -94,6 +106,22 @@
     <message>
         <source>'{1}' is no number or range of {2}</source>
         <translation>'{1}' n'est ni un numéro ni une plage : {2}</translation>
+    </message>
+    <message>
+        <source>'{1}' is no operation, or stands twice</source>
+        <translation>'{1}' n'est pas une opération, ou est écrit deux fois</translation>
+    </message>
+    <message>
+        <source>'{1}' is no rung of a study</source>
+        <translation>'{1}' n'est pas un échelon d'une étude</translation>
+    </message>
+    <message>
+        <source>'{1}' is no share</source>
+        <translation>'{1}' n'est pas une part</translation>
+    </message>
+    <message>
+        <source>'{1}' is no such count</source>
+        <translation>'{1}' n'est pas un tel nombre</translation>
     </message>
     <message>
         <source>'{1}' is no unit that this field can have</source>
@@ -158,6 +186,10 @@
     <message>
         <source>'{1}' stands behind what has a unit already</source>
         <translation>'{1}' suit ce qui a déjà une unité</translation>
+    </message>
+    <message>
+        <source>'{1}' stands for no values</source>
+        <translation>'{1}' ne désigne aucune valeur</translation>
     </message>
     <message>
         <source>'{1}' stands where values should</source>
@@ -2076,6 +2108,10 @@
         <translation>Pentes qui sont usinées, depuis l'horizontale : 0 est un fond, 90 degrés une paroi. Ce qui est moins raide est pour des passes parallèles.</translation>
     </message>
     <message>
+        <source>Slurm is not here</source>
+        <translation>Slurm n'est pas là</translation>
+    </message>
+    <message>
         <source>Smallest and largest inclination of the tool axis from the surface normal towards the travel.</source>
         <translation>Plus petite et plus grande inclinaison de l'axe d'outil depuis la normale vers le sens de l'avance.</translation>
     </message>
@@ -3068,6 +3104,10 @@
         <translation>un trou serait rempli de plus de {1} facettes</translation>
     </message>
     <message>
+        <source>a kind of operation</source>
+        <translation>un type d'opération</translation>
+    </message>
+    <message>
         <source>a lead limit of 0 leaves the main path no hollows</source>
         <translation>une limite d'attaque de 0 ne laisse pas de creux au parcours principal</translation>
     </message>
@@ -3100,12 +3140,20 @@
         <translation>un nom est vide ou trop long</translation>
     </message>
     <message>
+        <source>a name is missing</source>
+        <translation>il manque un nom</translation>
+    </message>
+    <message>
         <source>a name leads elsewhere</source>
         <translation>un nom mène ailleurs</translation>
     </message>
     <message>
         <source>a name occurs twice</source>
         <translation>un nom apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>a newer Facetmill wrote this study</source>
+        <translation>un Facetmill plus récent a écrit cette étude</translation>
     </message>
     <message>
         <source>a number expected, found '{1}'</source>
@@ -3134,6 +3182,10 @@
     <message>
         <source>a number or outer loop</source>
         <translation>un nombre ou outer loop</translation>
+    </message>
+    <message>
+        <source>a number, "project" or { "project_times": 1.1 }</source>
+        <translation>un nombre, "project" ou { "project_times": 1.1 }</translation>
     </message>
     <message>
         <source>a part of an object stands outside of any</source>
@@ -3604,6 +3656,14 @@
         <translation>une opération sur une pièce tournante ne connaît pas de limites</translation>
     </message>
     <message>
+        <source>an order leaves operations out</source>
+        <translation>un ordre omet des opérations</translation>
+    </message>
+    <message>
+        <source>an order of operations is a list of their names</source>
+        <translation>un ordre d'opérations est une liste de leurs noms</translation>
+    </message>
+    <message>
         <source>an xz archive</source>
         <translation>une archive xz</translation>
     </message>
@@ -3616,12 +3676,24 @@
         <translation>un autre fichier STL y suit le premier</translation>
     </message>
     <message>
+        <source>another program works on this study ({1}; this is {2})</source>
+        <translation>un autre programme travaille à cette étude ({1} ; celui-ci est {2})</translation>
+    </message>
+    <message>
+        <source>another run works on this study</source>
+        <translation>une autre exécution travaille à cette étude</translation>
+    </message>
+    <message>
         <source>another {1} is called '{2}'</source>
         <translation>autre chose ({1}) s'appelle déjà '{2}'</translation>
     </message>
     <message>
         <source>arcs about a centre of their own block are told in XY and do not climb</source>
         <translation>les arcs autour d'un centre dans un bloc à part sont en XY et ne montent pas</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>tel quel</translation>
     </message>
     <message>
         <source>as many answers as points are needed</source>
@@ -3748,6 +3820,10 @@
         <translation>appeler la sienne</translation>
     </message>
     <message>
+        <source>candidate {1}</source>
+        <translation>candidat {1}</translation>
+    </message>
+    <message>
         <source>cannot be reached: {1} of the surface ({2}) around {3}: {4}</source>
         <translation>hors d'atteinte : {1} de la surface ({2}) autour de {3} : {4}</translation>
     </message>
@@ -3814,6 +3890,10 @@
     <message>
         <source>check its permissions</source>
         <translation>vérifier ses permissions</translation>
+    </message>
+    <message>
+        <source>check its place, permissions and the disk</source>
+        <translation>vérifier son emplacement, les droits et le disque</translation>
     </message>
     <message>
         <source>check part and direction</source>
@@ -4002,6 +4082,10 @@
     <message>
         <source>choose a larger step-over or tolerance</source>
         <translation>choisir un pas latéral ou une tolérance plus grands</translation>
+    </message>
+    <message>
+        <source>choose a larger tolerance or step-over</source>
+        <translation>choisir une tolérance ou un pas latéral plus grand</translation>
     </message>
     <message>
         <source>choose a smaller allowance, or a larger stock</source>
@@ -4596,6 +4680,10 @@
         <translation>donner à chaque outil un numéro à lui</translation>
     </message>
     <message>
+        <source>give estimate, coarse or fine</source>
+        <translation>donner estimate, coarse ou fine</translation>
+    </message>
+    <message>
         <source>give every axis its own name</source>
         <translation>donner à chaque axe son nom</translation>
     </message>
@@ -4852,6 +4940,14 @@
         <translation>n'a pas de volume</translation>
     </message>
     <message>
+        <source>has not been verified</source>
+        <translation>n'a pas été vérifié</translation>
+    </message>
+    <message>
+        <source>has not been verified: {1}</source>
+        <translation>n'a pas été vérifié : {1}</translation>
+    </message>
+    <message>
         <source>has too many sections</source>
         <translation>a trop de sections</translation>
     </message>
@@ -4968,6 +5064,10 @@
         <translation>installer tout Facetmill, ou le construire avec OpenCASCADE ; ou exporter la pièce en STL</translation>
     </message>
     <message>
+        <source>install its commands (Debian: slurm-client), or give --on local</source>
+        <translation>installer ses commandes (Debian : slurm-client), ou donner --on local</translation>
+    </message>
+    <message>
         <source>is a file that the job reads</source>
         <translation>est un fichier que le travail lit</translation>
     </message>
@@ -4982,6 +5082,10 @@
     <message>
         <source>is a link or no plain file</source>
         <translation>est un lien ou n'est pas un fichier simple</translation>
+    </message>
+    <message>
+        <source>is a packed project: its files have no place of their own</source>
+        <translation>est un projet compressé : ses fichiers n'ont pas d'emplacement propre</translation>
     </message>
     <message>
         <source>is a tool library of a newer Facetmill</source>
@@ -5100,8 +5204,16 @@
         <translation>est trop grand pour un projet</translation>
     </message>
     <message>
+        <source>is what the project as it stands comes to, which is not known: {1}</source>
+        <translation>est ce à quoi arrive le projet tel quel, ce qui n'est pas connu : {1}</translation>
+    </message>
+    <message>
         <source>is {1}</source>
         <translation>est {1}</translation>
+    </message>
+    <message>
+        <source>it begins with a point</source>
+        <translation>il commence par un point</translation>
     </message>
     <message>
         <source>it cannot be judged: {1}</source>
@@ -5152,6 +5264,10 @@
         <translation>il ne rencontre pas le brut de {1} : ils sont à {2} l'un de l'autre, la pièce étant posée comme dans les deux</translation>
     </message>
     <message>
+        <source>it does not take the job: {1}</source>
+        <translation>il ne prend pas la tâche : {1}</translation>
+    </message>
+    <message>
         <source>it ends where a number is missing</source>
         <translation>cela finit où manque un nombre</translation>
     </message>
@@ -5174,6 +5290,10 @@
     <message>
         <source>it is alike in all directions and has no principal axes</source>
         <translation>elle est pareille dans toutes les directions et n'a pas d'axes principaux</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>il est vide</translation>
     </message>
     <message>
         <source>it is larger than it says</source>
@@ -5240,6 +5360,10 @@
         <translation>cela a été écrit entre-temps</translation>
     </message>
     <message>
+        <source>it, or a file that it reads, was changed since the study began</source>
+        <translation>il, ou un fichier qu'il lit, a été modifié depuis le début de l'étude</translation>
+    </message>
+    <message>
         <source>its attributes cannot be read</source>
         <translation>ses attributs sont illisibles</translation>
     </message>
@@ -5286,6 +5410,14 @@
     <message>
         <source>its tool is not in the project any more</source>
         <translation>son outil n'est plus dans le projet</translation>
+    </message>
+    <message>
+        <source>its worker ended with status {1}</source>
+        <translation>son travailleur a fini avec l'état {1}</translation>
+    </message>
+    <message>
+        <source>its worker was ended by signal {1}</source>
+        <translation>son travailleur a été arrêté par le signal {1}</translation>
     </message>
     <message>
         <source>its {1} strips would take more than {2} points of passes</source>
@@ -5444,6 +5576,18 @@
         <translation>moins de 0,01 % de la surface</translation>
     </message>
     <message>
+        <source>let coarser settings vary</source>
+        <translation>faire varier des réglages plus grossiers</translation>
+    </message>
+    <message>
+        <source>let less vary</source>
+        <translation>faire varier moins</translation>
+    </message>
+    <message>
+        <source>let more vary, or allow more</source>
+        <translation>faire varier davantage, ou permettre davantage</translation>
+    </message>
+    <message>
         <source>let the name end in .stl, .3mf or .ply</source>
         <translation>faire finir le nom par .stl, .3mf ou .ply</translation>
     </message>
@@ -5454,6 +5598,18 @@
     <message>
         <source>list X, Y and Z</source>
         <translation>nommer X, Y et Z</translation>
+    </message>
+    <message>
+        <source>list at least "machining_time"</source>
+        <translation>nommer au moins "machining_time"</translation>
+    </message>
+    <message>
+        <source>list at least one</source>
+        <translation>en nommer au moins un</translation>
+    </message>
+    <message>
+        <source>list at least one place of the project with two values</source>
+        <translation>nommer au moins un endroit du projet avec deux valeurs</translation>
     </message>
     <message>
         <source>list at least one setup</source>
@@ -5472,6 +5628,10 @@
         <translation>énumérer les étapes</translation>
     </message>
     <message>
+        <source>list what is wanted, as ["machining_time"]</source>
+        <translation>nommer ce qui est voulu, comme ["machining_time"]</translation>
+    </message>
+    <message>
         <source>local</source>
         <translation>locale</translation>
     </message>
@@ -5482,6 +5642,10 @@
     <message>
         <source>look across it, as along 0, 0, 1</source>
         <translation>regarder en travers, comme selon 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>lost: {1}</source>
+        <translation>perdu : {1}</translation>
     </message>
     <message>
         <source>low {1}</source>
@@ -5526,6 +5690,10 @@
     <message>
         <source>materials</source>
         <translation>matières</translation>
+    </message>
+    <message>
+        <source>measured are: {1}</source>
+        <translation>sont mesurés : {1}</translation>
     </message>
     <message>
         <source>mend it, or leave it out</source>
@@ -5656,6 +5824,10 @@
         <translation>nommer un fichier : {1}</translation>
     </message>
     <message>
+        <source>name each once: {1}</source>
+        <translation>nommer chacune une fois : {1}</translation>
+    </message>
+    <message>
         <source>name faces of the part's file</source>
         <translation>nommer des faces du fichier de la pièce</translation>
     </message>
@@ -5700,6 +5872,10 @@
         <translation>nommer le fichier de la pièce</translation>
     </message>
     <message>
+        <source>name the project's file</source>
+        <translation>nommer le fichier du projet</translation>
+    </message>
+    <message>
         <source>name the stock's mesh file</source>
         <translation>nommer le fichier de maillage du brut</translation>
     </message>
@@ -5710,6 +5886,10 @@
     <message>
         <source>name the tool, or write a .fctl library</source>
         <translation>nommer l'outil, ou écrire une bibliothèque .fctl</translation>
+    </message>
+    <message>
+        <source>name what varies</source>
+        <translation>nommer ce qui varie</translation>
     </message>
     <message>
         <source>names a vertex that does not exist</source>
@@ -5732,6 +5912,10 @@
         <translation>des noms, séparés par des virgules</translation>
     </message>
     <message>
+        <source>nearest comes {1} ({2}): {3}</source>
+        <translation>le plus proche est {1} ({2}) : {3}</translation>
+    </message>
+    <message>
         <source>needles</source>
         <translation>aiguilles</translation>
     </message>
@@ -5750,6 +5934,10 @@
     <message>
         <source>no arc of this radius leads there</source>
         <translation>aucun arc de ce rayon n'y mène</translation>
+    </message>
+    <message>
+        <source>no candidate meets the limits; {1}</source>
+        <translation>aucun candidat ne respecte les limites ; {1}</translation>
     </message>
     <message>
         <source>no code means '{1}'</source>
@@ -5892,12 +6080,20 @@
         <translation>aucun des {1} points de contact n'a de posture libre</translation>
     </message>
     <message>
+        <source>none was planned</source>
+        <translation>aucun n'a été planifié</translation>
+    </message>
+    <message>
         <source>normals turn by more than the limit</source>
         <translation>les normales tournent de plus que la limite</translation>
     </message>
     <message>
         <source>not judged</source>
         <translation>non jugé</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>non examiné</translation>
     </message>
     <message>
         <source>not one line has the word {wcs}</source>
@@ -5924,8 +6120,20 @@
         <translation>rien n'est usiné</translation>
     </message>
     <message>
+        <source>nothing is measured that is called '{1}'</source>
+        <translation>rien de ce qui est mesuré ne s'appelle '{1}'</translation>
+    </message>
+    <message>
+        <source>nothing is wanted</source>
+        <translation>rien n'est voulu</translation>
+    </message>
+    <message>
         <source>nothing lies on the file's build plate</source>
         <translation>rien n'est sur le plateau du fichier</translation>
+    </message>
+    <message>
+        <source>nothing may vary</source>
+        <translation>rien ne peut varier</translation>
     </message>
     <message>
         <source>nothing of it is left by {1}</source>
@@ -6356,6 +6564,10 @@
         <translation>tr/min</translation>
     </message>
     <message>
+        <source>run the study again</source>
+        <translation>relancer l'étude</translation>
+    </message>
+    <message>
         <source>sample surface</source>
         <translation>surface d'exemple</translation>
     </message>
@@ -6436,12 +6648,20 @@
         <translation>voir les codes de son post-processeur</translation>
     </message>
     <message>
+        <source>see the numbers in table.md</source>
+        <translation>voir les nombres dans table.md</translation>
+    </message>
+    <message>
         <source>see the words and codes of its post</source>
         <translation>voir les mots et codes de son post-processeur</translation>
     </message>
     <message>
         <source>see the words of its post</source>
         <translation>voir les mots de son post-processeur</translation>
+    </message>
+    <message>
+        <source>see whether Slurm runs: sinfo</source>
+        <translation>voir si Slurm tourne : sinfo</translation>
     </message>
     <message>
         <source>send Z home first</source>
@@ -6618,6 +6838,10 @@
     <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>prendre un outil plus petit, ou lui permettre de plonger</translation>
+    </message>
+    <message>
+        <source>take the winner, or one of the front</source>
+        <translation>prendre le gagnant, ou l'un du front</translation>
     </message>
     <message>
         <source>taper {1}°</source>
@@ -7022,6 +7246,10 @@
     <message>
         <source>the fixtures {1}</source>
         <translation>les bridages {1}</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
     </message>
     <message>
         <source>the folder cannot be made: {1}</source>
@@ -7436,6 +7664,10 @@
         <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
     </message>
     <message>
+        <source>the project as it stands</source>
+        <translation>le projet tel quel</translation>
+    </message>
+    <message>
         <source>the project has no operations</source>
         <translation>le projet n'a pas d'opérations</translation>
     </message>
@@ -7450,6 +7682,10 @@
     <message>
         <source>the project has no tools: add one</source>
         <translation>le projet n'a pas d'outils : en ajouter un</translation>
+    </message>
+    <message>
+        <source>the project has several setups</source>
+        <translation>le projet a plusieurs posages</translation>
     </message>
     <message>
         <source>the radius at height {1} is too large</source>
@@ -7474,6 +7710,10 @@
     <message>
         <source>the rotary axes do not stand where the tilted plane is held</source>
         <translation>les axes rotatifs ne sont pas où le plan incliné est tenu</translation>
+    </message>
+    <message>
+        <source>the same as {1}</source>
+        <translation>le même que {1}</translation>
     </message>
     <message>
         <source>the scan would have to move by {1} to fit</source>
@@ -7654,6 +7894,10 @@
     <message>
         <source>the text is too long</source>
         <translation>le texte est trop long</translation>
+    </message>
+    <message>
+        <source>the text of a study</source>
+        <translation>le texte d'une étude</translation>
     </message>
     <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
@@ -7976,8 +8220,16 @@
         <translation>puis déplacé de {1}</translation>
     </message>
     <message>
+        <source>there are more than 10^15 combinations</source>
+        <translation>il y a plus de 10^15 combinaisons</translation>
+    </message>
+    <message>
         <source>there are more than two rotary axes</source>
         <translation>il y a plus de deux axes rotatifs</translation>
+    </message>
+    <message>
+        <source>there are no values, or two kinds of them</source>
+        <translation>il n'y a pas de valeurs, ou il y en a de deux sortes</translation>
     </message>
     <message>
         <source>there are statements after FINI</source>
@@ -7996,12 +8248,20 @@
         <translation>il y a deux axes {1}</translation>
     </message>
     <message>
+        <source>there are: {1}</source>
+        <translation>il y a : {1}</translation>
+    </message>
+    <message>
         <source>there is motion after END</source>
         <translation>il y a des mouvements après END</translation>
     </message>
     <message>
         <source>there is no '='</source>
         <translation>il manque '='</translation>
+    </message>
+    <message>
+        <source>there is no '{1}'; there are {2}</source>
+        <translation>il n'y a pas de '{1}' ; il y a {2}</translation>
     </message>
     <message>
         <source>there is no CUTTER statement</source>
@@ -8052,8 +8312,16 @@
         <translation>il n'y a pas de nom d'opération avant la clé</translation>
     </message>
     <message>
+        <source>there is no point behind a bracket</source>
+        <translation>il n'y a pas de point derrière un crochet</translation>
+    </message>
+    <message>
         <source>there is no program</source>
         <translation>il n'y a pas de programme</translation>
+    </message>
+    <message>
+        <source>there is no result</source>
+        <translation>il n'y a pas de résultat</translation>
     </message>
     <message>
         <source>there is no room for the tool to enter</source>
@@ -8074,6 +8342,10 @@
     <message>
         <source>there is no stock</source>
         <translation>il n'y a pas de brut</translation>
+    </message>
+    <message>
+        <source>there is no such candidate</source>
+        <translation>il n'y a pas de tel candidat</translation>
     </message>
     <message>
         <source>there is no such end</source>
@@ -8104,6 +8376,10 @@
         <translation>il n'y a pas d'outil {1}</translation>
     </message>
     <message>
+        <source>there is no value to try</source>
+        <translation>il n'y a aucune valeur à essayer</translation>
+    </message>
+    <message>
         <source>there is no verdict in them</source>
         <translation>il n'y a pas de verdict dedans</translation>
     </message>
@@ -8126,6 +8402,10 @@
     <message>
         <source>there is nothing that this format can carry</source>
         <translation>il n'y a rien que ce format puisse reprendre</translation>
+    </message>
+    <message>
+        <source>these are too many values</source>
+        <translation>ce sont trop de valeurs</translation>
     </message>
     <message>
         <source>they are not what was written</source>
@@ -8328,6 +8608,10 @@
         <translation>deux programmes porteraient le nom '{1}'</translation>
     </message>
     <message>
+        <source>two setups have such an operation: name the setup</source>
+        <translation>deux posages ont une telle opération : nommer le posage</translation>
+    </message>
+    <message>
         <source>two work coordinate systems in '{1}'</source>
         <translation>deux systèmes de coordonnées pièce dans '{1}'</translation>
     </message>
@@ -8398,6 +8682,10 @@
     <message>
         <source>unpack it by other means, if you trust it</source>
         <translation>la décompresser autrement, si elle est de confiance</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>le décompresser d'abord</translation>
     </message>
     <message>
         <source>unwound</source>
@@ -8524,12 +8812,28 @@
         <translation>utiliser des minuscules et _</translation>
     </message>
     <message>
+        <source>use the newer program</source>
+        <translation>utiliser le programme plus récent</translation>
+    </message>
+    <message>
+        <source>use the same one on all machines, or begin with this one: study run</source>
+        <translation>utiliser le même sur tous les ordinateurs, ou commencer avec celui-ci : study run</translation>
+    </message>
+    <message>
         <source>value {1} of {2}, '{3}', is not a number</source>
         <translation>la valeur {1} de {2}, '{3}', n'est pas un nombre</translation>
     </message>
     <message>
+        <source>vary: no combination is possible</source>
+        <translation>vary : aucune combinaison n'est possible</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>sommets</translation>
+    </message>
+    <message>
+        <source>wait for it, or end it</source>
+        <translation>l'attendre, ou y mettre fin</translation>
     </message>
     <message>
         <source>was asked for a pose that is not finite or has no unit axis</source>
@@ -8616,12 +8920,28 @@
         <translation>ferait dépasser à l'archive {1} octets</translation>
     </message>
     <message>
+        <source>would take {1}</source>
+        <translation>prendrait {1}</translation>
+    </message>
+    <message>
         <source>write "mm" or "in"</source>
         <translation>écrire "mm" ou "in"</translation>
     </message>
     <message>
         <source>write "planes": ["xy"] and "helix": false</source>
         <translation>écrire "planes": ["xy"] et "helix": false</translation>
+    </message>
+    <message>
+        <source>write "samples" of at most {1}</source>
+        <translation>écrire "samples" d'au plus {1}</translation>
+    </message>
+    <message>
+        <source>write "study": 1</source>
+        <translation>écrire "study": 1</translation>
+    </message>
+    <message>
+        <source>write "values", or "from", "to" and "steps"</source>
+        <translation>écrire "values", ou "from", "to" et "steps"</translation>
     </message>
     <message>
         <source>write '%' first and last alone</source>
@@ -8676,8 +8996,20 @@
         <translation>écrire un point et des lettres, comme .ngc</translation>
     </message>
     <message>
+        <source>write a list, "tools" or "orders"</source>
+        <translation>écrire une liste, "tools" ou "orders"</translation>
+    </message>
+    <message>
         <source>write a name without slashes</source>
         <translation>écrire un nom sans barres obliques</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>écrire un nombre</translation>
+    </message>
+    <message>
+        <source>write a number above 0, at most 1</source>
+        <translation>écrire un nombre au-dessus de 0, au plus 1</translation>
     </message>
     <message>
         <source>write a number above 0, or leave it out</source>
@@ -8686,6 +9018,10 @@
     <message>
         <source>write a number of ordinary size</source>
         <translation>écrire un nombre de taille ordinaire</translation>
+    </message>
+    <message>
+        <source>write a place of the project's file, as operations[Finish].tolerance</source>
+        <translation>écrire un endroit du fichier du projet, comme operations[Finish].tolerance</translation>
     </message>
     <message>
         <source>write a point on the rotation axis</source>
@@ -8700,8 +9036,16 @@
         <translation>écrire un nombre entier</translation>
     </message>
     <message>
+        <source>write a whole number from {1}</source>
+        <translation>écrire un nombre entier à partir de {1}</translation>
+    </message>
+    <message>
         <source>write all of its lines</source>
         <translation>écrire toutes ses lignes</translation>
+    </message>
+    <message>
+        <source>write at most {1}</source>
+        <translation>écrire au plus {1}</translation>
     </message>
     <message>
         <source>write both in one line</source>
@@ -8714,6 +9058,14 @@
     <message>
         <source>write decimal numbers; formulas and variables are not read</source>
         <translation>écrire des nombres décimaux ; formules et variables ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>write how many times the project's</source>
+        <translation>écrire combien de fois celui du projet</translation>
+    </message>
+    <message>
+        <source>write how many values there are</source>
+        <translation>écrire combien il y a de valeurs</translation>
     </message>
     <message>
         <source>write it</source>
@@ -8780,6 +9132,14 @@
         <translation>écrire un programme par opération : "programs": "each"</translation>
     </message>
     <message>
+        <source>write out those that are meant</source>
+        <translation>écrire en entier ceux qui sont visés</translation>
+    </message>
+    <message>
+        <source>write setups[NAME]. before it; setups there are: {1}</source>
+        <translation>écrire setups[NAME]. devant ; posages présents : {1}</translation>
+    </message>
+    <message>
         <source>write smooth or flat</source>
         <translation>écrivez lisse ou plat</translation>
     </message>
@@ -8808,12 +9168,20 @@
         <translation>écrire d'abord la limite basse</translation>
     </message>
     <message>
+        <source>write the orders of operations out, with the setup in the path</source>
+        <translation>écrire en entier les ordres des opérations, avec le posage dans le chemin</translation>
+    </message>
+    <message>
         <source>write the other one of ( and ;, or leave it out</source>
         <translation>écrire l'autre de ( et ;, ou l'omettre</translation>
     </message>
     <message>
         <source>write the part in pieces</source>
         <translation>écrire la pièce en morceaux</translation>
+    </message>
+    <message>
+        <source>write the place in the project that varies, as "operations[Finish].tolerance"</source>
+        <translation>écrire l'endroit du projet qui varie, comme "operations[Finish].tolerance"</translation>
     </message>
     <message>
         <source>write the tool's number before it</source>
@@ -8830,6 +9198,10 @@
     <message>
         <source>write where the middle of the part's bottom stands</source>
         <translation>écrire où est le milieu du fond de la pièce</translation>
+    </message>
+    <message>
+        <source>write where the values end</source>
+        <translation>écrire où les valeurs finissent</translation>
     </message>
     <message>
         <source>write {1}</source>
@@ -8976,6 +9348,10 @@
         <translation>{1} collisions, la plus profonde de {2}</translation>
     </message>
     <message>
+        <source>{1} combinations are too many</source>
+        <translation>{1} combinaisons, c'est trop</translation>
+    </message>
+    <message>
         <source>{1} contact point was left by operations before</source>
         <translation>{1} point de contact a été laissé par des opérations précédentes</translation>
     </message>
@@ -9084,8 +9460,16 @@
         <translation>{1} est désactivée et n'est pas usinée</translation>
     </message>
     <message>
+        <source>{1} is {2}, at most {3} is allowed</source>
+        <translation>{1} est {2}, {3} au plus est permis</translation>
+    </message>
+    <message>
         <source>{1} is {2}, not a whole number</source>
         <translation>{1} est {2}, pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>{1} jobs of Slurm ended without a result</source>
+        <translation>{1} tâches de Slurm ont fini sans résultat</translation>
     </message>
     <message>
         <source>{1} lines per turn leave cusps of {2}; the tolerance allows {3}</source>
@@ -9190,6 +9574,10 @@
     <message>
         <source>{1} of {2} drive planes cross places where no step-over meets the tolerance</source>
         <translation>{1} des {2} plans directeurs croisent des endroits où aucun pas latéral ne tient la tolérance</translation>
+    </message>
+    <message>
+        <source>{1} operations have too many orders</source>
+        <translation>{1} opérations ont trop d'ordres</translation>
     </message>
     <message>
         <source>{1} or {2}</source>
