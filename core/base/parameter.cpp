@@ -76,15 +76,6 @@ void check_word(const std::string& word, const ParameterInfo& info) {
                         + joined(info.words));
 }
 
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-    while (!text.empty() && blank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && blank(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
-
 template <std::size_t N>
 std::array<double, N> parse_numbers(std::string_view text, const ParameterInfo& info, double factor) {
     text = trimmed(text);

@@ -17,6 +17,9 @@ void check_text(std::string_view text, const std::string& place);
 /// The same text with A to Z in small letters; whatever else it holds stays.
 std::string in_small_letters(std::string text);
 
+/// Without the blanks, tabs and line ends around it.
+std::string_view trimmed(std::string_view text);
+
 /// The same text as a JSON string, quotes included; what `printable` would replace is escaped. Throws
 /// Error(encoding), whose place is `place`, where it is not UTF-8.
 std::string json_text(std::string_view text, const std::string& place);

@@ -7,10 +7,6 @@ namespace facetmill::detail {
 
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-
 char upper(char c) {
     return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
 }
@@ -20,14 +16,6 @@ constexpr std::array<std::string_view, 7> text_words = {"PARTNO", "PPRINT", "TPR
                                                         "LETTER", "REMARK", "NOTE"};
 
 } // namespace
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && is_blank(s.front()))
-        s.remove_prefix(1);
-    while (!s.empty() && is_blank(s.back()))
-        s.remove_suffix(1);
-    return s;
-}
 
 std::string upper(std::string_view s) {
     std::string out(s);

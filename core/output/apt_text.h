@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <cctype>
 #include <cstddef>
@@ -52,8 +53,6 @@ private:
     bool continues_ = false, finished_ = false, complete_last_line_ = true;
 };
 
-/// Without the blanks at both ends.
-std::string_view trimmed(std::string_view s);
 std::string upper(std::string_view s);
 /// The line begins with the word (in upper case), in any case, and the word ends there.
 bool starts_with_word(std::string_view line, std::string_view word);

@@ -1,6 +1,7 @@
 #include "core/tools/loose_json.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/base/vec.h"
 #include "core/setup/tool.h"
 
@@ -20,28 +21,20 @@ const Json& nothing() {
     return empty;
 }
 
-std::string trimmed(std::string_view text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
-        text.remove_prefix(1);
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-        text.remove_suffix(1);
-    return std::string(text);
-}
-
 /// "1/4", "0.25", "1 1/4": the value and what stands behind it.
 struct Measured {
     double value;
     std::string unit;
 };
 std::optional<Measured> measured(std::string_view text) {
-    const std::string all = trimmed(text);
+    const std::string all(trimmed(text));
     const std::size_t end = std::min(all.find_first_not_of("0123456789+-.eE/ "), all.size());
-    std::string figures = trimmed(all.substr(0, end));
+    std::string figures(trimmed(std::string_view(all).substr(0, end)));
     // An exponent's letter and the first one of a unit look alike.
-    std::string unit = trimmed(all.substr(end));
+    std::string unit(trimmed(std::string_view(all).substr(end)));
     while (!figures.empty() && (figures.back() == 'e' || figures.back() == 'E')) {
         unit.insert(unit.begin(), figures.back());
-        figures = trimmed(figures.substr(0, figures.size() - 1));
+        figures = std::string(trimmed(figures.substr(0, figures.size() - 1)));
     }
     double whole = 0;
     if (const std::size_t slash = figures.find('/'); slash != std::string::npos) {

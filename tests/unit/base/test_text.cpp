@@ -27,6 +27,13 @@ const std::string shown = "d\xC3\xA9j\xC3\xA0\xC2\xA0\xE2\x80\x8D\xD7\xA9\xF0\x9
 class TestText : public QObject {
     Q_OBJECT
 private slots:
+    void blanks_around_a_text_go() {
+        QCOMPARE(trimmed(""), std::string_view());
+        QCOMPARE(trimmed(" \t\r\n\v\f "), std::string_view());
+        QCOMPARE(trimmed("a"), std::string_view("a"));
+        QCOMPARE(trimmed("  a \t b\r\n"), std::string_view("a \t b"));
+        QCOMPARE(trimmed("\xC2\xA0z"), std::string_view("\xC2\xA0z")); // one that does not break a line stays
+    }
 
     void what_would_be_obeyed_is_replaced() {
         for (const std::string& h : hidden) {
