@@ -67,16 +67,25 @@ private:
     std::set<std::string> files_, folders_;
 };
 
+/// Which of libzip's errors it is, beside the archive if it could be opened.
+Archive opened_as(std::string_view bytes, int flags, zip_error_t& error) {
+    Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error));
+    Archive archive(source ? zip_open_from_source(source.get(), flags, &error) : nullptr);
+    if (archive) source.release(); // NOLINT(bugprone-unused-return-value): the archive has it
+    return archive;
+}
+
 Archive open_archive(std::string_view bytes, const std::string& name) {
     zip_error_t error;
     zip_error_init(&error);
-    Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error));
-    Archive archive(source ? zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, &error)
-                           : nullptr);
+    Archive archive = opened_as(bytes, ZIP_RDONLY | ZIP_CHECKCONS, error);
+    // Fusion 360 writes some sizes both before a file and behind it, others only behind it, which libzip
+    // finds inconsistent. The directory at the end counts, and every file's own checksum.
+    if (!archive && zip_error_code_zip(&error) == ZIP_ER_INCONS)
+        archive = opened_as(bytes, ZIP_RDONLY, error);
     const std::string why = archive ? std::string() : zip_error_strerror(&error);
     zip_error_fini(&error);
     if (!archive) damaged(name, printable(why));
-    source.release(); // NOLINT(bugprone-unused-return-value): the archive has it
     return archive;
 }
 

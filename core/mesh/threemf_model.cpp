@@ -15,6 +15,8 @@ namespace facetmill::detail {
 namespace {
 
 constexpr std::string_view core_space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+/// The draft of 2013, which has the same objects under another name.
+constexpr std::string_view draft_space = "http://schemas.microsoft.com/3dmanufacturing/2013/01";
 constexpr std::string_view production_path =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06 path";
 constexpr std::string_view slice_stack =
@@ -77,8 +79,8 @@ public:
     }
     void start(std::string_view name, const char** attributes) override {
         if (!started_) return begin(name, attributes);
-        if (!name.starts_with(core_space) || name.size() < core_space.size() + 2) return;
-        const std::string_view local = name.substr(core_space.size() + 1);
+        if (!name.starts_with(space_) || name.size() < space_.size() + 2) return;
+        const std::string_view local = name.substr(space_.size() + 1);
         if (local == "vertex")
             vertex(attributes);
         else if (local == "triangle")
@@ -91,7 +93,7 @@ public:
             model_.items.push_back(use(attributes));
     }
     void end(std::string_view name) override {
-        if (name.ends_with(" object") && name.starts_with(core_space)) object_ = nullptr;
+        if (name.ends_with(" object") && name.starts_with(space_)) object_ = nullptr;
     }
 
 private:
@@ -102,7 +104,9 @@ private:
 
     /// The root element, by which a file is a model.
     void begin(std::string_view name, const char** attributes) {
-        if (name != std::string(core_space) + " model")
+        if (name == std::string(draft_space) + " model")
+            space_ = draft_space;
+        else if (name != std::string(core_space) + " model")
             fail(ErrorCode::syntax, "the XML is no 3MF model: it begins with " + printable(name));
         started_ = true;
         if (const char* required = attribute(attributes, "requiredextensions")) check_extensions(required);
@@ -176,7 +180,7 @@ private:
         const char* text = attribute(attributes, name);
         if (!text) fail(ErrorCode::syntax, "a vertex has no " + std::string(name));
         double v = 0;
-        switch (read_number(text, v)) {
+        switch (read_number(trimmed(text), v)) {
         case NumberForm::number:
             break;
         case NumberForm::non_finite:
@@ -206,7 +210,7 @@ private:
         const char* text = attribute(attributes, name);
         if (!text) fail(ErrorCode::syntax, "the attribute " + std::string(name) + " is missing");
         std::uint32_t v = 0;
-        const std::string_view digits = text;
+        const std::string_view digits = trimmed(text);
         const auto r = std::from_chars(digits.data(), digits.data() + digits.size(), v);
         if (r.ec != std::errc() || r.ptr != digits.data() + digits.size())
             fail(ErrorCode::syntax, std::string(name) + " is " + shown(text) + ", not a whole number");
@@ -237,6 +241,7 @@ private:
     Model3mf& model_;
     std::string file_;
     bool is_root_, started_ = false;
+    std::string_view space_ = core_space; ///< of the elements that are read
     const XmlStream* stream_ = nullptr;
     std::map<std::string, std::string> spaces_; ///< by prefix
     Object3mf* object_ = nullptr;
