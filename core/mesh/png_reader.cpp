@@ -144,6 +144,11 @@ private:
 
 TriangleSoup read_png(const MeshSource& source, const Progress& progress) {
     if (!source.bytes.starts_with(png_signature)) {
+        // The signature has a byte of eight bits and both kinds of line ends, to show just this.
+        if (source.bytes.substr(1, 3) == "PNG")
+            throw Error(ErrorCode::syntax, source.name,
+                        "its first bytes are not those of a PNG picture, as after a transfer as text",
+                        "send it again as a binary file");
         const std::string_view what = content_of(source.bytes, "PNG");
         throw Error(ErrorCode::syntax, source.name,
                     what.empty() ? "is not a PNG picture" : "is not a PNG picture but " + std::string(what),
