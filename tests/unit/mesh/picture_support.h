@@ -1,8 +1,10 @@
 // PNG and TIFF pictures made in memory, sound ones and others.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <utility>
@@ -112,7 +114,7 @@ struct PngMaker {
     }
 };
 
-/// Grey TIFF without compression, in one strip or in tiles.
+/// TIFF without compression, in one strip or in tiles.
 struct TiffMaker {
     unsigned columns = 3, rows = 2, bits = 8, format = 1; ///< format: 1 unsigned, 2 signed, 3 float
     unsigned photometric = 1, samples = 1, orientation = 1, tile = 0;
@@ -121,22 +123,50 @@ struct TiffMaker {
     std::function<double(unsigned column, unsigned row)> value = [](unsigned c, unsigned r) {
         return 10 * c + 100 * r;
     };
+    /// In place of `value` where channels differ.
+    std::function<double(unsigned column, unsigned row, unsigned channel)> channel = nullptr;
+    unsigned opacity = 0;               ///< what the channel beside the colours is: 1 multiplied in, 2 not
+    std::vector<std::uint32_t> palette; ///< all red values, all green, all blue, of 16 bits
+    std::string nodata;                 ///< the text that GDAL writes for a value without height
 
-    void append(std::string& out, std::uint32_t v, int count) const {
+    void append(std::string& out, std::uint64_t v, int count) const {
         for (int k = 0; k < count; ++k)
             out += char(v >> (8 * (big_endian ? count - 1 - k : k)) & 0xFF);
     }
-    void append_value(std::string& out, unsigned c, unsigned r) const {
-        const double v = c < columns && r < rows ? value(c, r) : 0;
+    /// Its bits, in the lowest places.
+    std::uint64_t value_bits(unsigned c, unsigned r, unsigned k) const {
+        const double v = c >= columns || r >= rows ? 0 : channel ? channel(c, r, k) : value(c, r);
+        std::uint64_t word = 0;
         if (format == 3 && bits == 32) {
             const auto f = float(v);
-            std::uint32_t word = 0;
-            static_assert(sizeof word == sizeof f);
-            std::copy_n(reinterpret_cast<const char*>(&f), sizeof f, reinterpret_cast<char*>(&word));
-            append(out, word, 4);
+            std::uint32_t half = 0;
+            std::memcpy(&half, &f, sizeof half);
+            word = half;
+        } else if (format == 3 && bits == 64) {
+            std::memcpy(&word, &v, sizeof word);
         } else {
-            append(out, std::uint32_t(std::int64_t(v)), int(bits / 8));
+            word = std::uint64_t(std::int64_t(v));
         }
+        return word;
+    }
+    void append_row(std::string& out, unsigned x, unsigned width, unsigned r) const {
+        unsigned packed = 0, used = 0;
+        for (unsigned c = x; c < x + width; ++c)
+            for (unsigned k = 0; k < samples; ++k) {
+                const std::uint64_t word = value_bits(c, r, k);
+                if (bits % 8 == 0) {
+                    append(out, word, int(bits / 8));
+                    continue;
+                }
+                for (unsigned bit = bits; bit-- > 0;) {
+                    packed = packed << 1 | unsigned(word >> bit & 1);
+                    if (++used == 8) {
+                        out += char(std::exchange(packed, 0U));
+                        used = 0;
+                    }
+                }
+            }
+        if (used > 0) out += char(packed << (8 - used));
     }
     std::string bytes() const {
         std::string data;
@@ -146,9 +176,7 @@ struct TiffMaker {
             for (unsigned x = 0; x < columns; x += step_x) {
                 places.push_back(std::uint32_t(8 + data.size()));
                 for (unsigned r = y; r < y + step_y; ++r)
-                    for (unsigned c = x; c < x + step_x; ++c)
-                        for (unsigned k = 0; k < samples; ++k)
-                            append_value(data, c, r);
+                    append_row(data, x, step_x, r);
                 sizes.push_back(std::uint32_t(8 + data.size()) - places.back());
             }
         if (data.size() % 2 == 1) data += '\0';
@@ -157,6 +185,12 @@ struct TiffMaker {
         for (const auto& list : {places, sizes})
             for (const std::uint32_t v : list)
                 append(lists, v, 4);
+        const auto palette_at = std::uint32_t(list_at + lists.size());
+        for (const std::uint32_t v : palette)
+            append(lists, v, 2);
+        const auto nodata_at = std::uint32_t(list_at + lists.size());
+        lists += nodata;
+        lists += nodata.size() % 2 == 0 ? std::string(2, '\0') : std::string(1, '\0');
         const auto count = std::uint32_t(places.size());
         const auto directory_at = std::uint32_t(list_at + lists.size());
         std::string out = big_endian ? std::string("MM\0*", 4) : std::string("II*\0", 4);
@@ -187,14 +221,26 @@ struct TiffMaker {
             listed(324, list_at, places);
             listed(325, list_at + 4 * count, sizes);
         }
+        if (!palette.empty()) tags.push_back({320, half, std::uint32_t(palette.size()), palette_at});
+        if (opacity != 0) tags.push_back({338, half, 1, opacity});
         tags.push_back({339, half, 1, format});
+        if (!nodata.empty()) {
+            std::uint32_t within = 0; // a short text stands in the place of its address
+            for (std::size_t k = 0; k < 4; ++k)
+                within |= std::uint32_t(k < nodata.size() ? nodata[k] : '\0')
+                          << (8 * (big_endian ? 3 - k : k));
+            tags.push_back(
+                {42113, 2, std::uint32_t(nodata.size() + 1), nodata.size() < 4 ? within : nodata_at});
+        }
+        std::sort(tags.begin(), tags.end(), [](const Tag& a, const Tag& b) { return a.number < b.number; });
         append(out, std::uint32_t(tags.size()), 2);
         for (const Tag& tag : tags) {
             append(out, tag.number, 2);
             append(out, tag.kind, 2);
             append(out, tag.count, 4);
-            append(out, tag.value, tag.kind == half ? 2 : 4);
-            if (tag.kind == half) append(out, 0, 2);
+            const bool is_short = tag.kind == half && tag.count == 1;
+            append(out, tag.value, is_short ? 2 : 4);
+            if (is_short) append(out, 0, 2);
         }
         append(out, 0, 4);
         return out;
