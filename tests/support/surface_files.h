@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace facetmill::test {
 
@@ -19,6 +20,16 @@ std::string step_torus(double large, double small);
 std::string step_block_with_hole(double radius);
 /// Boxes of 1 x 2 x 3, each with a place of its own on a grid of 10, `along` of them in a row.
 std::string step_assembly(int boxes, int along);
+/// Solids by name, each of a volume known in closed form: "box", "cylinder", "cone" (cut off), "wedge",
+/// "torus", "sphere", "hole" (a block with one), "rounded" (a box whose upright edges are), "slope" (a box
+/// with a chamfered edge), "bottle" (turned, of B-splines). `schema`: of OpenCASCADE's writer: 1 AP214 as
+/// drafted, 2 AP214, 3 AP203, 4 AP214 of 1998, 5 AP242.
+struct StepSolid {
+    std::string bytes;
+    double volume = 0; ///< mm^3
+};
+const std::vector<std::string>& step_solids();
+StepSolid step_solid(const std::string& name, const char* unit = "MM", int schema = 1);
 /// The lower half of a sphere's surface: no solid.
 std::string step_bowl(double radius);
 std::string step_wire();

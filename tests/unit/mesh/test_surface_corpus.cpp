@@ -1,5 +1,6 @@
 // The corpus of odd and broken STEP and IGES files: texts made from a sound one.
 #include "core/mesh/mesh_io.h"
+#include "tests/support/step_text.h"
 #include "tests/support/surface_files.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
@@ -15,34 +16,6 @@ using namespace facetmill;
 using namespace facetmill::test;
 
 namespace {
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
-
-/// The entities of the data section, each with its semicolon.
-std::vector<std::string> entities_of(const std::string& step) {
-    const std::size_t begin = step.find("DATA;") + 5, end = step.find("ENDSEC;", begin);
-    std::vector<std::string> all;
-    for (std::size_t at = begin; at < end;) {
-        const std::size_t semicolon = step.find(';', at);
-        if (semicolon >= end) break;
-        std::string one = step.substr(at, semicolon + 1 - at);
-        replace_all(one, "\n", "");
-        all.push_back(one);
-        at = semicolon + 1;
-    }
-    return all;
-}
-
-std::string with_entities(const std::string& step, const std::vector<std::string>& entities) {
-    const std::size_t begin = step.find("DATA;") + 5, end = step.find("ENDSEC;", begin);
-    std::string text = step.substr(0, begin) + "\n";
-    for (const std::string& one : entities)
-        text += one + "\n";
-    return text + step.substr(end);
-}
 
 /// Every number of an entity goes up.
 std::string renumbered(const std::string& step, int by) {
