@@ -32,7 +32,8 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
                                  const OperationCommon& common);
 
 /// Joins the passes of a 3-axis path: on the surface (by the lift of the whole tool along the straight line,
-/// so never into the part) where the next pass is near, else by retract, rapid at clearance height, approach.
+/// so never into the part) where the next pass is near, and up to the pass's entry, level over the part and
+/// down again where it has one; else by retract, rapid at clearance height, approach.
 /// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
 /// tips that do not gouge. An operation that knows its stock goes straight down in a rapid to the clearance,
 /// or half the cutter's radius where that is less, over what stands at that moment, over the pass's beginning

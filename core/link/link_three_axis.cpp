@@ -93,6 +93,12 @@ public:
             }
         return best;
     }
+    /// Whether neither shank nor holder meets what stands on a level way at z.
+    bool is_level_free(const Vec2& a, const Vec2& b, double z) {
+        if (!stock_) return false;
+        const StockField& field = stock_->about(0.5 * (a + b), 0.5 * (b - a).norm() + reach_);
+        return bodies_.clear_height(field, a, b) <= z && !up_.stands_above(field, a, b, z);
+    }
     /// What a rapid keeps from what stands, mm.
     double clearance() const { return clearance_; }
     void feed(const Vec3& from, const Vec3& to) {
@@ -200,6 +206,19 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         const double end = to.tip.z() - stock.clearance(), z = stock.up_from(from.tip, end);
         if (end - z > stock.clearance()) up(MotionKind::cut, from, z, end);
     };
+    // Straight up as far as shank and holder ask for, level over the part, and down to a pass's beginning.
+    const auto hop = [&](const CutterLocation& from, const CutterLocation& start, double z) {
+        const double down = stock.down_to(start.tip, z);
+        CutterLocation over = at_height(start, down);
+        const auto aside = stock.beside(start.tip, down - start.tip.z(), part, fine.spacing);
+        if (aside && aside->z() <= z && stock.is_level_free(from.tip.head<2>(), aside->head<2>(), z))
+            over.tip = *aside;
+        if (z > from.tip.z()) up(MotionKind::link, from, std::min(z, stock.up_from(from.tip, z)), z);
+        for (const CutterLocation& c :
+             on_surface(at_height(from, z), at_height(over, z), lift, bodies, fine, progress.part(0, 0)))
+            add(MotionKind::link, c);
+        if (z - over.tip.z() > stock.clearance()) add(MotionKind::rapid, over);
+    };
     const CutterLocation* last = nullptr;
     for (std::size_t i = 0; i < path.passes.size(); ++i) {
         progress.part(0.1, 1).set(double(i) / double(path.passes.size()));
@@ -207,7 +226,12 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         if (pass.cl.empty()) continue;
         const CutterLocation& start = pass.cl.front();
         const auto pass_index = Index(i);
-        if (last && !pass.from_above && (start.tip - last->tip).head<2>().norm() <= options.link_distance) {
+        const bool near =
+            last && !pass.from_above && (start.tip - last->tip).head<2>().norm() <= options.link_distance;
+        if (near && !pass.entry.empty() && pass.entry.front().tip.z() < result.clearance_z) {
+            hop(*last, start, std::max(pass.entry.front().tip.z(), last->tip.z()));
+            add(MotionKind::approach, start, pass_index, 0);
+        } else if (near && pass.entry.empty()) {
             for (const CutterLocation& c : on_surface(*last, start, lift, bodies, fine, progress.part(0, 0)))
                 add(MotionKind::link, c);
             result.motions.back().pass = pass_index;

@@ -123,9 +123,7 @@ private:
         held_ = cleared.held;
         held_by_ = cleared.held_by;
         result_.passes = std::move(cleared.passes);
-        const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
-        order_by_travel(result_.passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
-                        top + settings_.clearance, progress.part(1, 1));
+        order(result_.passes, progress);
         if (settings_.tilt_limit == 0)
             lead_between(job_, result_.passes,
                          surface_link_distance(result_.stepover_max, context_.tool.diameter),
@@ -140,6 +138,29 @@ private:
         result_.drive_planes = int(result_.passes.size());
     }
 
+    void order(std::vector<Pass>& passes, const Progress& progress) const {
+        const double top = std::max(context_.part_box.hi.z(), context_.stock_box.hi.z());
+        order_by_travel(passes, settings_.pattern == CleanupSettings::Pattern::zigzag,
+                        top + settings_.clearance, progress.part(1, 1));
+    }
+
+    /// Beside those that are held up, the nearest to where the tool is first.
+    std::vector<Pass> passes_instead(const std::vector<Pass>& held, const std::optional<Vec3>& end,
+                                     const Progress& progress) const {
+        std::vector<Pass> others;
+        if (end) {
+            Pass& here = others.emplace_back();
+            here.cl.push_back({*end, Vec3::UnitZ()});
+            here.cc.push_back({*end, Vec3::UnitZ()});
+        }
+        for (const Pass& pass : held)
+            for (Pass& other : passes_aside(job_, pass, aside_share * job_.cusp, progress))
+                others.push_back(std::move(other));
+        order(others, progress);
+        if (end) others.erase(others.begin());
+        return others;
+    }
+
     /// Leaves out where shank or holder would come into what operations before left, in the order in which
     /// the passes are cut. Only for an upright tool: LeftStock knows no other.
     void clear_of_stock(const Progress& progress) {
@@ -148,8 +169,8 @@ private:
             const Vec3 point = job_.lift.contact(tip.x(), tip.y()).point;
             return CutterContact{point, job_.cover.contact_normal(point - tip).value_or(Vec3::UnitZ())};
         };
-        const PassesInstead aside = [&](const Pass& held) {
-            return passes_aside(job_, held, aside_share * job_.cusp, progress);
+        const PassesInstead aside = [&](const std::vector<Pass>& held, const std::optional<Vec3>& end) {
+            return passes_instead(held, end, progress);
         };
         auto clear = keep_clear_of_left_stock(result_.passes, context_, job_.radius, job_.cusp, contact,
                                               progress, aside);

@@ -19,6 +19,8 @@ constexpr int instead_rounds = 2;
 /// The cells in which shank and holder see what stands, and the points over those that a wall crosses, in
 /// radii of the cutter: a touch of four thousandths is as large as several points.
 constexpr double cell_share = 0.04, fine_share = 0.005;
+/// Links no longer than so many radii may go over what is in their way.
+constexpr double hop_radii = 6;
 /// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
 constexpr double skin_share = 0.05;
 
@@ -52,8 +54,8 @@ public:
         leave();
         return std::move(ranges_);
     }
-    /// Whether the tool comes to each of them from above.
-    const std::vector<bool>& from_above() const { return from_above_; }
+    /// How high a link to each of them has to be: -infinity on the surface, infinity where none is free.
+    const std::vector<double>& link_heights() const { return link_heights_; }
     double lack() const { return lack_; }
 
 private:
@@ -67,7 +69,7 @@ private:
         else {
             inside_ = true;
             ranges_.push_back({at, at});
-            from_above_.push_back(end_ && !link_is_free(*end_, tip));
+            link_heights_.push_back(end_ ? link_height(*end_, tip) : -infinity);
             pending_.push_back({tip, tip});
             last_ = tip;
         }
@@ -82,23 +84,28 @@ private:
     void leave() {
         if (inside_ && ranges_.back().length() < shortest_) {
             ranges_.pop_back();
-            from_above_.pop_back();
+            link_heights_.pop_back();
         } else if (inside_)
             end_ = last_;
         pending_.clear();
         inside_ = false;
     }
-    /// Links on the surface are nowhere lower than the lower of their ends.
-    bool link_is_free(const Vec3& from, const Vec3& to) {
+    /// Links on the surface are nowhere lower than the lower of their ends; straight up from one end, and
+    /// down to the other, bodies that touch nothing there touch nothing.
+    double link_height(const Vec3& from, const Vec3& to) {
         const double low = std::min(from.z(), to.z());
         const Vec3 a(from.x(), from.y(), low), b(to.x(), to.y(), low);
-        if (low >= stock_.free_height(a, b)) return true;
+        if (low >= stock_.free_height(a, b)) return -infinity;
         const auto n = std::size_t(std::ceil((b - a).norm() / stock_.spacing())) + 1;
+        const bool is_far = (b - a).norm() > stock_.hop();
+        double height = low;
         for (std::size_t k = 0; k <= n; ++k) {
             progress_.check();
-            if (stock_.lack(a + double(k) / double(n) * (b - a)) > 0) return false;
+            const Vec3 at = a + double(k) / double(n) * (b - a);
+            height += stock_.lack(Vec3(at.x(), at.y(), height));
+            if (is_far && height > low) return infinity;
         }
-        return true;
+        return height > low ? height + stock_.spacing() : -infinity;
     }
     void commit() {
         for (const auto& [a, b] : pending_)
@@ -112,7 +119,7 @@ private:
     std::optional<Vec3>& end_;
     const Progress& progress_;
     std::vector<Interval> ranges_;
-    std::vector<bool> from_above_;
+    std::vector<double> link_heights_;
     std::vector<std::pair<Vec3, Vec3>> pending_;
     Vec3 last_ = Vec3::Zero();
     bool inside_ = false;
@@ -138,7 +145,7 @@ LeftStock::LeftStock(const PlanContext& context, double cell, double fine, doubl
                      const Progress& progress)
     : bodies_(bodies_of(context.tool)), lowest_base_(bodies_.empty() ? infinity : bodies_.front().base),
       field_(stock_before(context, cell, progress, lowest_tip + lowest_base_)),
-      cutter_(CutterProfile(context.tool.cutter())),
+      cutter_(CutterProfile(context.tool.cutter())), hop_(hop_radii * cutter_.radius()),
       fine_(context, field_, cutter_, fine, skin, lowest_tip + lowest_base_) {
     for (const Body& body : bodies_)
         widest_ = std::max(widest_, body.radius);
@@ -181,25 +188,36 @@ public:
             const std::vector<Interval> ranges = follower.run(arc);
             lack = std::max(lack, follower.lack());
             if (ranges.size() == 1 && ranges[0].lo <= 0 && ranges[0].hi >= arc.back()) {
-                pass.from_above = follower.from_above()[0];
-                kept.push_back(std::move(pass));
+                keep(std::move(pass), follower.link_heights()[0]);
                 continue;
             }
             std::vector<Pass> pieces = pieces_of(pass, arc, ranges, contact_);
-            for (std::size_t k = 0; k < pieces.size(); ++k) {
-                pieces[k].from_above = follower.from_above()[k];
-                kept.push_back(std::move(pieces[k]));
-            }
+            for (std::size_t k = 0; k < pieces.size(); ++k)
+                keep(std::move(pieces[k]), follower.link_heights()[k]);
             for (Pass& piece : pieces_of(pass, arc, gaps_between(ranges, arc.back()), contact_))
                 held.push_back(std::move(piece));
         }
         return held;
     }
 
+    /// Where the tool is after what was kept last.
+    const std::optional<Vec3>& end() const { return end_; }
+
     std::vector<Pass> kept;
     double lack = 0;
 
 private:
+    void keep(Pass pass, double link_height) {
+        pass.from_above = link_height == infinity;
+        pass.entry.clear();
+        if (std::isfinite(link_height)) {
+            CutterLocation over = pass.cl.front();
+            over.tip.z() = std::max(over.tip.z(), link_height);
+            pass.entry.push_back(over);
+        }
+        kept.push_back(std::move(pass));
+    }
+
     LeftStock& stock_;
     double shortest_;
     const ContactAt& contact_;
@@ -232,13 +250,14 @@ ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, dou
     const std::size_t own = followed.kept.size();
     std::vector<Pass> held = passes;
     for (int round = 0; instead && round < instead_rounds; ++round) {
-        std::vector<Pass> others;
-        for (const Pass& pass : held)
-            for (Pass& other : instead(pass))
-                others.push_back(std::move(other));
-        held = followed.follow(std::move(others));
+        held = followed.follow(instead(held, followed.end()));
     }
-    result.left_length = std::max(0.0, result.left_length - length_of(std::span(followed.kept).subspan(own)));
+    if (instead) {
+        const double beside = length_of(std::span(followed.kept).subspan(own));
+        // What was cut beside them may have been all that stood in their way.
+        passes = followed.follow(std::move(passes));
+        result.left_length = std::max(0.0, std::min(result.left_length - beside, length_of(passes)));
+    }
     result.left = std::move(passes);
     result.kept = std::move(followed.kept);
     return result;

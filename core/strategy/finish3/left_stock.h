@@ -37,6 +37,7 @@ public:
         fine_.cut(a, b);
     }
     double spacing() const { return field_.cell(); } ///< how often a motion is looked at, mm
+    double hop() const { return hop_; } ///< links that are no longer may go over what is in their way, mm
 
 private:
     struct Body {
@@ -48,12 +49,15 @@ private:
     double lowest_base_;
     StockField field_;
     StockCutter cutter_;
+    double hop_;
     FineStock fine_;
     double widest_ = 0;
 };
 
-/// Passes that may be cut in the place of one that is held up, as clear of the part as it is: beside it, say.
-using PassesInstead = std::function<std::vector<Pass>(const Pass& held)>;
+/// Passes that may be cut in the place of those that are held up, as clear of the part as they are: beside
+/// them, say; in the order in which they are cut by a tool that comes from `end`.
+using PassesInstead =
+    std::function<std::vector<Pass>(const std::vector<Pass>& held, const std::optional<Vec3>& end)>;
 
 /// What shank and holder keep passes from because something stands there.
 struct ClearOfStock {
@@ -63,7 +67,9 @@ struct ClearOfStock {
 };
 
 /// Follows the passes in their order. Pieces shorter than `shortest` are left out. What is held up in the end
-/// is asked for others, and so are these, once more.
+/// is asked for others, and so are these, once more, and tried again when they have cut. Where shank or
+/// holder would touch something on the way from one pass to the next, its entry says how high a link has to
+/// be, or it is come to from above.
 ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
                                  const ContactAt& contact, const Progress& progress,
                                  const PassesInstead& instead = nullptr);

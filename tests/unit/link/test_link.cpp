@@ -156,6 +156,35 @@ private slots:
         QVERIFY2(down[2] > near + 0.2 && down[2] < near + 1, qPrintable(QString::number(down[2])));
     }
 
+    /// A pass that says how high a link to it has to be: up, level and down instead of all the way up.
+    void a_link_goes_as_high_as_a_pass_asks_for() {
+        PlanContext context = context_of(level(), ball_tool(6));
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = 7;
+        context.stock_box = context.stock.box;
+        StrategyResult path;
+        path.passes = {pass({Vec3(-10, 0, 0), Vec3(10, 0, 0)}), pass({Vec3(10, 1, 0), Vec3(-10, 1, 0)})};
+        const auto over = [&](double z, bool from_above) {
+            path.passes[1].entry = {{Vec3(10, 1, z), Vec3::UnitZ()}};
+            path.passes[1].from_above = from_above;
+            const ToolMotions m = link_three_axis(path, context, 0, near_options(2), Progress());
+            double highest = 0, lowest = infinity;
+            std::size_t k = 1;
+            while (m.motions[k].pass != 0 || m.motions[k].point != 1)
+                ++k;
+            for (; m.motions[k + 1].pass != 1 || m.motions[k + 1].point != 0; ++k) {
+                const Vec3 a = m.motions[k].to.tip, b = m.motions[k + 1].to.tip;
+                highest = std::max(highest, b.z());
+                if (a.head<2>() != b.head<2>()) lowest = std::min({lowest, a.z(), b.z()});
+            }
+            return std::pair(lowest, highest);
+        };
+        QCOMPARE(over(3, false), std::pair(3.0, 3.0));
+        QCOMPARE(over(6, false), std::pair(6.0, 6.0));
+        QCOMPARE(over(3, true), std::pair(12.0, 12.0));
+        QCOMPARE(over(12, false), std::pair(12.0, 12.0));
+    }
+
     /// A ball that is lower than its slot is deep, on a slim shank: what stands beside the shank is in its
     /// way up. A shank wider than the cutter is in stock itself, that nobody roughed.
     void no_rapid_up_meets_what_stands_beside_the_shank() {

@@ -62,6 +62,50 @@ private slots:
                 }
             }
     }
+
+    /// Two channels side by side with a thin ridge between them that is higher than the flutes: from one to
+    /// the other a near link goes over it as far as the shank asks for, and a far one does not go.
+    void links_go_over_what_the_shank_would_meet() {
+        const double radius = 3, height = 12, flutes = 8, cell = 0.12;
+        Tool tool = ball_tool(2 * radius);
+        tool.flute_length = flutes;
+        tool.shank_diameter = 2 * radius;
+        tool.shank_length = 20;
+        const Mesh part =
+            height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
+        PlanContext context = context_of(part, tool);
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = height;
+        context.stock_box = context.stock.box;
+        auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = AptCutter::flat(8, 30);
+        const double here = -5, there = 3.3;
+        for (const double y : {here, there})
+            earlier->motions.push_back({Vec3(-30, y, 0), Vec3(30, y, 0)});
+        context.earlier = {earlier};
+        const auto along = [](double y, double from, double to) {
+            Pass pass;
+            for (const double x : {from, to}) {
+                pass.cl.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
+                pass.cc.push_back({Vec3(x, y, 0), Vec3::UnitZ()});
+            }
+            return pass;
+        };
+        LeftStock stock(context, cell, 0.024, 0.0025, 0, Progress());
+        const ContactAt contact = [](const Vec3& tip) { return CutterContact{tip, Vec3::UnitZ()}; };
+        const ClearOfStock clear = keep_clear_of_stock(
+            {along(here, -15, 0), along(here, 2, 5), along(there, 5, 15), along(here, -5, -15)}, stock, 0.1,
+            contact, Progress());
+        QVERIFY(clear.left.empty());
+        QCOMPARE(clear.kept.size(), std::size_t(4));
+        QVERIFY(clear.kept[1].entry.empty() && !clear.kept[1].from_above);
+        QVERIFY(clear.kept[2].entry.size() == 1 && !clear.kept[2].from_above);
+        const Vec3 over = clear.kept[2].entry.front().tip;
+        QCOMPARE(Vec2(over.head<2>()), Vec2(5, there));
+        QVERIFY2(over.z() > height - flutes && over.z() < height - flutes + 2 * cell,
+                 qPrintable(QString::number(over.z())));
+        QVERIFY(clear.kept[3].entry.empty() && clear.kept[3].from_above);
+    }
 };
 
 FACETMILL_TEST(TestLeftStock)
