@@ -41,6 +41,8 @@ const char* uncut_word(UncutReason::Why why) {
     switch (why) {
     case UncutReason::Why::not_cut:
         return "not_cut";
+    case UncutReason::Why::no_operation:
+        return "no_operation";
     case UncutReason::Why::no_tool:
         return "no_tool_reaches";
     case UncutReason::Why::held:
@@ -197,6 +199,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
     switch (reason.why) {
     case UncutReason::Why::not_cut:
         return (of.empty() ? "a tool" : "the tool" + of) + " fits but does not go there";
+    case UncutReason::Why::no_operation:
+        return "no operation finishes there: only the tool" + of + " fits, and that operation leaves stock";
     case UncutReason::Why::no_tool:
         return "no tool fits";
     case UncutReason::Why::held:
@@ -219,6 +223,13 @@ std::string uncut_reason_text(const UncutReason& reason) {
     return {};
 }
 
+/// What the operation of this name may leave on the part, mm; 0 where there is none.
+static double may_leave(const Project& project, const std::string& name) {
+    for (const auto& o : project.operations)
+        if (o->common().name == name) return o->left_on_purpose() + o->common().tolerance;
+    return 0;
+}
+
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan) {
     std::vector<VerifyProgram> programs;
@@ -234,6 +245,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             {},
                             machine,
                             o->joints});
+        programs.back().leaves = may_leave(project, o->name);
         if (o->within)
             programs.back().asked = [region = o->within->region, view = o->view](const Vec3& p) {
                 Index hint = no_index;
@@ -333,6 +345,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
         VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
         result.programs.push_back(
             {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt, {}, machine});
+        result.programs.back().leaves = may_leave(project, section->operation_name);
         result.sections.push_back(section);
     }
     return result;

@@ -64,6 +64,9 @@ struct VerifyProgram {
     /// From the machine's coordinates to those of the motions, where a program is judged together with those
     /// of another setup.
     Mat3 machine_turn = Mat3::Identity();
+    /// What its operation may leave on the part, mm: one that roughs would not finish where its tool fits.
+    /// Only a reason why surface stays uncut is made of it.
+    double leaves = 0;
 };
 
 /// How the tool axis may go from one location to the next; the tip moves straight.

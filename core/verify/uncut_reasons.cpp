@@ -83,6 +83,7 @@ struct FitTool {
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
     std::function<bool(const Vec3&)> asked;
+    bool finishes = true;      ///< what its operation leaves does not count as uncut
     Vec3 up = Vec3::UnitZ();   ///< of its setup
     double lowest = -infinity; ///< along it: the stock's bottom, or how low the cutter goes if that is lower
 };
@@ -138,6 +139,7 @@ public:
             FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress), p.asked};
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
+            tool.finishes = p.leaves <= used.allowance + limit_;
             if (!p.turning) find_lowest(tool, p, stock);
             if (p.fixtures)
                 for (const FixtureSolid& f : *p.fixtures) {
@@ -152,17 +154,24 @@ public:
     void stand_in(const StockModel& stock, const Progress& progress) {
         left_.emplace(stock_places(stock, progress), progress);
     }
-    /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, or no_tool; and the
-    /// program whose tool or cutter it is.
+    /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, no_operation, or
+    /// no_tool; and the program whose tool or cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
         WhyUncut told_off;
         for (std::size_t program = tools_.size(); program-- > 0;) {
             const FitTool& tool = tools_[program];
+            if (!tool.finishes) continue;
             const UncutReason::Why fit = fit_of(tool, point, normal);
             if (fit == UncutReason::Why::no_tool) continue;
             if (!tool.asked || tool.asked(point)) return {fit, program};
             if (fit == UncutReason::Why::not_cut && told_off.program == no_program)
                 told_off = {UncutReason::Why::boundary, program};
+        }
+        if (told_off.program != no_program) return told_off;
+        for (std::size_t program = tools_.size(); program-- > 0;) {
+            const FitTool& tool = tools_[program];
+            if (!tool.finishes && fit_of(tool, point, normal) == UncutReason::Why::not_cut)
+                return {UncutReason::Why::no_operation, program};
         }
         return told_off;
     }

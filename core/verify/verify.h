@@ -116,6 +116,7 @@ struct UncutReason {
         fixture,       ///< a tool fits in there, nearer to a fixture than its clearance
         tab,           ///< a tool fits in there, and would cut a tab that is to stay
         boundary,      ///< a tool fits in there, and its operation is told to stay out
+        no_operation,  ///< only a tool fits in there whose operation leaves more than counts as uncut
         no_tool,       ///< no cutter of the programs fits in there
         outside_stock, ///< the stock does not reach it
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict

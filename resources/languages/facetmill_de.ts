@@ -6000,6 +6000,10 @@
         <translation>keine Operation davor fräst mit Werkzeug {1}, ihrem vorherigen Werkzeug: was das gefräst hätte, bleibt stehen</translation>
     </message>
     <message>
+        <source>no operation finishes there: only the tool{1} fits, and that operation leaves stock</source>
+        <translation>keine Operation schlichtet dort: nur das Werkzeug{1} passt, und diese Operation lässt Material stehen</translation>
+    </message>
+    <message>
         <source>no operation was planned</source>
         <translation>keine Operation wurde geplant</translation>
     </message>

@@ -6000,6 +6000,10 @@
         <translation>aucune opération précédente n'usine avec l'outil {1}, son outil précédent : ce qu'il aurait usiné reste</translation>
     </message>
     <message>
+        <source>no operation finishes there: only the tool{1} fits, and that operation leaves stock</source>
+        <translation>aucune opération ne finit à cet endroit : seul l'outil{1} y passe, et cette opération laisse de la matière</translation>
+    </message>
+    <message>
         <source>no operation was planned</source>
         <translation>aucune opération n'a été planifiée</translation>
     </message>

@@ -252,6 +252,32 @@ private slots:
         QVERIFY(reason(v, UncutReason::Why::not_cut) && !reason(v, UncutReason::Why::no_tool));
     }
 
+    /// The tool of roughing would fit, and roughing is not there to finish.
+    void a_tool_that_only_roughs_is_no_help() {
+        const Mesh part = grooved(6, 5);
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 1;
+        std::array<VerifyProgram, 2> programs{lines(flat_tool(5), Vec2(-30, -20), Vec2(30, 20), 0.5, 4),
+                                              lines(flat_tool(12), Vec2(-30, -20), Vec2(30, 20), 0, 8)};
+        programs[0].name = "Rough";
+        programs[1].name = "Finish";
+        const double over = 2 * asked().tolerance;
+        programs[0].leaves = 0.9 * over;
+        const Verification finishing = verify(part, stock, programs, asked(), Progress());
+        QVERIFY(reason(finishing, UncutReason::Why::not_cut));
+        QVERIFY(!reason(finishing, UncutReason::Why::no_operation));
+        programs[0].leaves = 1.1 * over;
+        const Verification v = verify(part, stock, programs, asked(), Progress());
+        const UncutReason* nobody = reason(v, UncutReason::Why::no_operation);
+        QVERIFY(nobody && nobody->counts());
+        QCOMPARE(nobody->program, programs[0].name);
+        QVERIFY2(std::abs(nobody->area - 6 * 60) < 60, qPrintable(QString::number(nobody->area)));
+        QCOMPARE(v.uncut_share, finishing.uncut_share);
+        // Where the finishing tool fits it is what does not go there, whatever roughing could.
+        const UncutReason* ends = reason(v, UncutReason::Why::not_cut);
+        QVERIFY(!ends || ends->program == programs[1].name);
+    }
+
     /// In a slot that nobody cuts what stands on a wall ends at the other one, however long the block is.
     void what_stands_ends_at_the_part() {
         const Mesh part = grooved(6, 5);
