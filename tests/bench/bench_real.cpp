@@ -149,10 +149,11 @@ std::vector<std::array<ByKind, 2>> idle_feed(const Job& job) {
     return all;
 }
 
-/// Share of the time that is spent in rapids: the slowest linear axis at its largest speed.
-double rapid_share(const Job& job, const Machine& machine) {
-    double rapid = 0, feed = 0;
-    for (const auto& section : job.sections)
+/// Seconds that programs take: in rapids, the slowest linear axis at its largest speed, and at feed.
+std::vector<std::array<double, 2>> seconds_of(const Job& job, const Machine& machine) {
+    std::vector<std::array<double, 2>> all;
+    for (const auto& section : job.sections) {
+        auto& [rapid, feed] = all.emplace_back();
         for (std::size_t i = 1; i < section->motions.motions.size(); ++i) {
             const Motion& m = section->motions.motions[i];
             const Vec3 way = m.to.tip - section->motions.motions[i - 1].to.tip;
@@ -161,7 +162,17 @@ double rapid_share(const Job& job, const Machine& machine) {
             else
                 feed += way.norm() / (section->feed(i) / 60);
         }
-    return rapid + feed > 0 ? rapid / (rapid + feed) : 0;
+    }
+    return all;
+}
+
+double rapid_share(const std::vector<std::array<double, 2>>& seconds) {
+    double rapid = 0, whole = 0;
+    for (const auto& [fast, feed] : seconds) {
+        rapid += fast;
+        whole += fast + feed;
+    }
+    return whole > 0 ? rapid / whole : 0;
 }
 
 /// Motions that end where the machine cannot be.
@@ -231,8 +242,8 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
                 std::max(v.figures.gouge_max, v.border.gouge_max) / per, n.gouge_max / per,
                 v.used.gouge_limit / per, 100 * v.uncut_share, 100 * n.uncut_share(),
                 verdict_name(v.verdict()).c_str(), collisions.c_str(),
-                n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0, 100 * rapid_share(job, machine),
-                outside_travel(project, job, machine));
+                n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0,
+                100 * rapid_share(seconds_of(job, machine)), outside_travel(project, job, machine));
     for (const UncutReason& r : v.uncut)
         std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
                      uncut_reason_text(r).c_str(), r.area, r.excess_max, r.place.x(), r.place.y(),
@@ -267,6 +278,12 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
         }
         std::fprintf(stderr, " mm without cutting anything: %.1f %%\n", 100 * none / all);
     }
+    const auto seconds = seconds_of(job, machine);
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+        std::fprintf(stderr,
+                     "%s: program %zu takes %.0f s, %.1f %% of it rapids; in the air %.1f %% of %.0f mm\n",
+                     name.c_str(), i + 1, seconds[i][0] + seconds[i][1], 100 * rapid_share({seconds[i]}),
+                     100 * n.program_air[i] / std::max(n.program_feed[i], 1e-9), n.program_feed[i]);
     std::fprintf(stderr, "%s: naive: in the air", name.c_str());
     for (std::size_t k = 1; k < kinds.size(); ++k)
         std::fprintf(stderr, ", %s %.0f / %.0f", kinds[k], n.air_by_kind[k], n.feed_by_kind[k]);

@@ -383,6 +383,8 @@ private:
                     std::clamp(int((s.point[k] - box.lo[k]) / size_ + 0.5), 0, n_[std::size_t(k)] - 1);
             cubes_[at(c[0], c[1], c[2])] |= 2;
         }
+        result_.program_feed.assign(programs_.size(), 0);
+        result_.program_air.assign(programs_.size(), 0);
         for (std::size_t p = 0; p < programs_.size(); ++p)
             each_pose(p, 0.25, [&](std::size_t i, const Vec3& tip, const Vec3& axis, double length) {
                 if ((++looked_ & 0xFFF) == 0) progress.check();
@@ -392,9 +394,11 @@ private:
                 const auto kind = std::size_t(programs_[p].motions[i].kind);
                 result_.feed_length += length;
                 result_.feed_by_kind[kind] += length;
+                result_.program_feed[p] += length;
                 if (take_away(bodies_[p], tip, axis)) return;
                 result_.air_length += length;
                 result_.air_by_kind[kind] += length;
+                result_.program_air[p] += length;
             });
     }
     /// The points that a cylinder on the axis may reach: from one number to the other in x, y and z.

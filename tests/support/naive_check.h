@@ -71,6 +71,7 @@ struct NaiveResult {
     /// radius from the part and from what is left of the stock.
     double feed_length = 0, air_length = 0;
     std::array<double, 5> feed_by_kind{}, air_by_kind{}; ///< the same by MotionKind
+    std::vector<double> program_feed, program_air;       ///< and by program
     /// Deepest point of the stock inside a shank or holder, of points a quarter of the smallest radius apart:
     /// what is shallower than a fiftieth of the radius, or falls between the points, is not seen.
     double touch_max = 0;
