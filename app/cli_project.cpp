@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/parameter.h"
 #include "core/job/posting.h"
-#include "core/job/project_inputs.h"
 #include "core/job/work_estimate.h"
 
 #include <charconv>
@@ -58,25 +57,13 @@ void tell_work(VerifySettings& settings, const Arguments& arguments, Session& se
 
 namespace {
 
-std::shared_ptr<const PlanResult> plan_one(Planner& planner, const Project& project,
-                                           const std::string& only_operation, const Arguments& arguments,
-                                           Session& session, const Progress& progress) {
-    check_inputs(project);
-    check_project(project);
-    const auto part = planner.prepare(project, progress.part(0, 0.05));
-    for (const WorkEstimate& estimate : estimate_plan(project, *part, only_operation))
-        tell_size(estimate, "choose a larger tolerance or step-over", arguments, session);
-    auto plan = planner.plan(project, only_operation, progress.part(0.05, 1));
-    plan->check_programs();
-    for (const auto& o : plan->idle)
-        session.say("operation '" + printable(o->name) + "' has nothing to do: " + o->nothing_to_do);
-    return plan;
-}
-
-PlanSetup planning(const Arguments& arguments, Session& session) {
-    return [&](Planner& planner, const Project& view, const std::string& only, const Progress& progress) {
-        return plan_one(planner, view, only, arguments, session, progress);
-    };
+PlanWatch plan_watch(const Arguments& arguments, Session& session) {
+    return {[&](const WorkEstimate& estimate) {
+                tell_size(estimate, "choose a larger tolerance or step-over", arguments, session);
+            },
+            [&](const OperationResult& o) {
+                session.say("operation '" + printable(o.name) + "' has nothing to do: " + o.nothing_to_do);
+            }};
 }
 
 /// What `work` throws, with the project's file before the place.
@@ -100,7 +87,7 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
                                                const std::string& only_operation, const Arguments& arguments,
                                                Session& session, const Progress& progress) {
     return within_project(project, arguments, [&] {
-        return plan_one(planner, project, only_operation, arguments, session, progress);
+        return checked_planning(plan_watch(arguments, session))(planner, project, only_operation, progress);
     });
 }
 
@@ -108,7 +95,16 @@ std::vector<SetupPlan> plan_all(SetupPlanners& planners, const Project& project,
                                 const std::string& only_operation, const Arguments& arguments,
                                 Session& session, const Progress& progress) {
     return within_project(project, arguments, [&] {
-        return plan_setups(project, only_operation, planners, progress, planning(arguments, session));
+        return plan_setups(project, only_operation, planners, progress,
+                           checked_planning(plan_watch(arguments, session)));
+    });
+}
+
+PlannedJob plan_whole(SetupPlanners& planners, const Project& project, const std::string& only_operation,
+                      const Arguments& arguments, Session& session, const Progress& progress) {
+    return within_project(project, arguments, [&] {
+        return plan_job(project, only_operation, planners, plan_watch(arguments, session), Reach::within,
+                        progress);
     });
 }
 
@@ -135,7 +131,7 @@ Planner& ready_planner(SetupPlanners& planners, const Project& project, const Ar
                        Session& session, const Progress& progress) {
     Planner& planner = planners.at(chosen_setup(project));
     planner.carry(within_project(project, arguments, [&] {
-        return stock_before(project, planners, progress, planning(arguments, session));
+        return stock_before(project, planners, progress, checked_planning(plan_watch(arguments, session)));
     }));
     return planner;
 }

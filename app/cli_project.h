@@ -5,6 +5,7 @@
 #include "app/cli_session.h"
 #include "core/job/planner.h"
 #include "core/job/setup_plan.h"
+#include "core/job/whole_job.h"
 #include "core/output/post/post.h"
 
 #include <filesystem>
@@ -42,6 +43,10 @@ std::shared_ptr<const PlanResult> plan_project(Planner& planner, const Project& 
 std::vector<SetupPlan> plan_all(SetupPlanners& planners, const Project& project,
                                 const std::string& only_operation, const Arguments& arguments,
                                 Session& session, const Progress& progress);
+
+/// The same with the air that programs cut, all within the machine's reach (plan_job). Throws as that does.
+PlannedJob plan_whole(SetupPlanners& planners, const Project& project, const std::string& only_operation,
+                      const Arguments& arguments, Session& session, const Progress& progress);
 
 /// The option that says which setup of several is meant.
 OptionInfo setup_option();

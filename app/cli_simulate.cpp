@@ -50,31 +50,26 @@ void tell(std::string findings, const std::string& out_of_reach, Session& sessio
     session.fail();
 }
 
-/// All setups, each on what those before it leave, judged as one.
-void simulate_setups(const Arguments& arguments, const Project& project, const AskedSettings& asked,
-                     Session& session) {
+/// The plan of all setups, each on what those before it leave, judged as one.
+void simulate_plan(const Arguments& arguments, const Project& project, const AskedSettings& asked,
+                   Session& session) {
     const Progress progress = session.progress();
     SetupPlanners planners;
     const std::vector<SetupPlan> setups =
         plan_all(planners, project, arguments.value("--op"), arguments, session, progress.part(0.0, 0.3));
-    const std::vector<std::span<const SetupPlan>> chains = stock_chains(setups);
     const fs::path folder = arguments.value("-o");
-    keep_read(arguments, project, folder, chain_file_names(chains.size()));
-    std::vector<JudgedChain> judged;
-    std::string beyond;
-    const double n = double(chains.size());
-    for (const std::span<const SetupPlan> chain : chains) {
-        VerifySettings settings = chain_settings(chain);
+    keep_read(arguments, project, folder, chain_file_names(stock_chains(setups).size()));
+    const auto ask = [&](VerifySettings& settings, std::span<const SetupPlan> chain,
+                         std::span<const std::vector<VerifyProgram>>) {
         asked.apply(settings, *chain.front().plan->part);
         tell_work(settings, arguments, session);
-        const double at = double(judged.size());
-        judged.push_back(judge_chain(chain, planned_programs(chain), settings,
-                                     progress.part(0.3 + 0.65 * at / n, 0.3 + 0.65 * (at + 1) / n)));
-        for (const SetupPlan& setup : chain)
-            if (beyond.empty()) beyond = out_of_reach(*setup.plan);
-    }
-    write_chains(judged, folder, progress.part(0.95, 1.0), [&] { session.print(chains_json(judged)); });
-    tell(findings_line(judged), beyond, session);
+    };
+    const JudgedJob judged = judge_job(setups, ask, progress.part(0.3, 0.95));
+    std::string beyond;
+    for (const SetupPlan& setup : setups)
+        if (beyond.empty()) beyond = out_of_reach(*setup.plan);
+    judged.write(folder, progress.part(0.95, 1.0), [&] { session.print(judged.json()); });
+    tell(judged.findings(), beyond, session);
 }
 
 void run_simulate(const Arguments& arguments, Session& session) {
@@ -92,7 +87,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
     if (planned && arguments.has("--setup"))
         throw Error(ErrorCode::usage, "--setup", "a plan is simulated with all setups, one after the other",
                     "give it with --cl or --nc");
-    if (planned && setup_count(all) > 1) return simulate_setups(arguments, all, asked, session);
+    if (planned) return simulate_plan(arguments, all, asked, session);
     const Project project = asked_setup(arguments, all, true);
     keep_read(arguments, project, folder, chain_file_names(1));
 
@@ -103,7 +98,6 @@ void run_simulate(const Arguments& arguments, Session& session) {
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
     std::vector<std::string> ignored, remarks;
-    std::string beyond;
     if (!nc_files.empty()) {
         check_project(project);
         const Post post = asked_post(arguments, project);
@@ -112,13 +106,6 @@ void run_simulate(const Arguments& arguments, Session& session) {
         programs = std::move(read.programs);
         remarks.push_back(posted_remark(post, read.blocks, read.seconds));
         settings = verify_settings(project, nullptr);
-    } else if (planned) {
-        const auto plan = plan_project(planner, project, arguments.value("--op"), arguments, session,
-                                       progress.part(0.0, 0.3));
-        part = plan->part;
-        beyond = out_of_reach(*plan);
-        programs = verify_programs(project, plan);
-        settings = verify_settings(project, plan.get());
     } else {
         check_project(project);
         const double n = double(cl_files.size());
@@ -146,7 +133,7 @@ void run_simulate(const Arguments& arguments, Session& session) {
                        [&] { session.print(verify_json(project, programs, result)); });
     for (const std::string& line : ignored)
         session.say("read over: " + line);
-    tell(findings_line(project, programs, result), beyond, session);
+    tell(findings_line(project, programs, result), {}, session);
 }
 
 } // namespace

@@ -239,7 +239,7 @@ ChainPrograms chain_programs(std::span<const SetupPlan> chain,
     for (std::size_t i = 0; i < chain.size(); ++i) {
         const SetupFrame frame = frame_between(chain[i].project, chain.front().project);
         for (const VerifyProgram& program : programs[i]) {
-            all.programs.push_back(moved_program(program, frame));
+            all.programs.push_back(i == 0 ? program : moved_program(program, frame));
             all.setups.push_back(i);
         }
     }

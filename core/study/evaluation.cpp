@@ -1,11 +1,7 @@
 #include "core/study/evaluation.h"
 
 #include "core/job/cache_key.h"
-#include "core/job/chain_verification.h"
-#include "core/job/project_inputs.h"
-#include "core/job/setup_plan.h"
-#include "core/job/verification.h"
-#include "core/job/work_estimate.h"
+#include "core/job/whole_job.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +13,6 @@ namespace {
 /// Of a coarse look, in radii of the narrowest cutter: a third to a quarter of the time of a fine one, which
 /// has a twentieth. What it finds is so; what it does not find may be there.
 constexpr double coarse_resolution = 0.125, coarse_spacing = 0.2;
-
-std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view, const std::string& only,
-                                            const Progress& progress) {
-    check_inputs(view);
-    check_project(view);
-    const auto part = planner.prepare(view, progress.part(0, 0.05));
-    for (const WorkEstimate& estimate : estimate_plan(view, *part, only))
-        if (estimate.large())
-            throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
-                        "choose a larger tolerance or step-over");
-    auto plan = planner.plan(view, only, progress.part(0.05, 1));
-    plan->check_programs();
-    return plan;
-}
 
 /// Says nothing of the candidate: another time, or on another machine, it may come out otherwise.
 bool outer_error(ErrorCode code) {
@@ -88,10 +70,7 @@ VerifySettings base_settings(const Project& base, std::span<const SetupPlan> cha
     settings.gouge_limit = own.gouge_limit;
     settings.uncut_limit = own.uncut_limit;
     settings.before_work = [](const VerifyWork& work) {
-        const WorkEstimate estimate = estimate_of(work);
-        if (estimate.large())
-            throw Error(ErrorCode::limit_exceeded, estimate.what, "would take " + estimate.text(),
-                        "let coarser settings vary");
+        refuse_large(estimate_of(work), "let coarser settings vary");
     };
     return settings;
 }
@@ -121,23 +100,22 @@ void measure_judged(const JudgedChain& judged, RungResult& result) {
 
 void judge(const std::vector<SetupPlan>& setups, const Project& base, Rung rung, RungResult& result,
            const Progress& progress) {
-    const std::vector<std::span<const SetupPlan>> chains = stock_chains(setups);
-    std::vector<JudgedChain> judged;
-    for (const std::span<const SetupPlan> chain : chains) {
-        const std::vector<std::vector<VerifyProgram>> programs = planned_programs(chain);
-        VerifySettings settings = base_settings(base, chain);
-        if (rung == Rung::coarse) {
+    const JudgedJob judged = judge_job(
+        setups,
+        [&](VerifySettings& settings, std::span<const SetupPlan> chain,
+            std::span<const std::vector<VerifyProgram>> programs) {
+            settings = base_settings(base, chain);
+            if (rung != Rung::coarse) return;
             const double radius = narrowest_radius(programs);
             settings.resolution = coarse_resolution * radius;
             settings.sample_spacing = coarse_spacing * radius;
-        }
-        const double n = double(chains.size()), at = double(judged.size());
-        judged.push_back(judge_chain(chain, programs, settings, progress.part(at / n, (at + 1) / n)));
-        measure_judged(judged.back(), result);
-    }
-    const Verdict verdict = verdict_of(judged);
+        },
+        progress);
+    for (const JudgedChain& chain : judged.chains)
+        measure_judged(chain, result);
+    const Verdict verdict = judged.verdict();
     result.passed = verdict == Verdict::verified;
-    if (!result.passed) result.why = verdict_name(verdict) + ": " + findings_line(judged);
+    if (!result.passed) result.why = verdict_name(verdict) + ": " + judged.findings();
 }
 
 } // namespace
@@ -147,7 +125,11 @@ RungResult evaluate(const Project& candidate, const Project& base, Rung rung, co
     try {
         SetupPlanners planners;
         const std::vector<SetupPlan> setups = plan_setups(
-            candidate, "", planners, progress.part(0, rung == Rung::estimate ? 1 : 0.3), plan_view);
+            candidate, "", planners, progress.part(0, rung == Rung::estimate ? 1 : 0.3),
+            checked_planning({[](const WorkEstimate& estimate) {
+                                  refuse_large(estimate, "choose a larger tolerance or step-over");
+                              },
+                              {}}));
         measure_plan(setups, result);
         for (const SetupPlan& setup : setups)
             setup.plan->check_reach();
