@@ -5,13 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/gouge/axial_lift.h"
-#include "core/job/chain_verification.h"
-#include "core/job/posting.h"
-#include "core/job/program_files.h"
-#include "core/job/project_inputs.h"
-#include "core/job/report.h"
-#include "core/job/stock_solid.h"
-#include "core/job/verification.h"
+#include "core/job/whole_job.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
 #include "core/study/study_results.h"
@@ -102,10 +96,11 @@ public:
                                allowance);
           })) {}
 
-    Doubles drop(const Doubles& points, PythonJob* job) const {
+    /// Heights into `out`, an array of as many numbers, or into a new one.
+    Doubles drop(const Doubles& points, PythonJob* job, const py::object& out) const {
         expect_columns(points, 2, "points");
         const auto n = std::size_t(points.shape(0));
-        Doubles heights{py::ssize_t(n)};
+        Doubles heights = out.is_none() ? Doubles(py::ssize_t(n)) : heights_in(out, py::ssize_t(n));
         const std::span<const Vec2> from(reinterpret_cast<const Vec2*>(points.data()), n);
         const std::span<double> to(heights.mutable_data(), n);
         waited(job, [&](const Progress& progress) {
@@ -116,6 +111,16 @@ public:
     }
 
 private:
+    /// What is given to be filled is filled, and not a copy of it.
+    static Doubles heights_in(const py::object& out, py::ssize_t n) {
+        if (py::isinstance<Doubles>(out)) {
+            auto array = py::reinterpret_borrow<Doubles>(out);
+            if (array.ndim() == 1 && array.shape(0) == n && array.writeable()) return array;
+        }
+        throw Error(ErrorCode::wrong_type, "out", "heights cannot be written there",
+                    "give a writable array of " + std::to_string(n) + " float64, one beside the other");
+    }
+
     AxialLift lift_;
 };
 
@@ -131,94 +136,26 @@ std::vector<std::string> names_of(const std::vector<std::filesystem::path>& file
     return names;
 }
 
-/// What `facetmill-cli plan` makes of a project.
-struct Plan {
-    std::vector<SetupPlan> setups;
-    std::vector<std::vector<double>> air;
-
-    std::string report() const { return setups_report_json(setups, air); }
-};
-
-std::shared_ptr<const PlanResult> plan_view(Planner& planner, const Project& view, const std::string& only,
-                                            const Progress& progress) {
-    check_inputs(view);
-    check_project(view);
-    auto plan = planner.plan(view, only, progress);
-    plan->check_programs();
-    return plan;
-}
-
-std::shared_ptr<Plan> plan_of(const Project& project, const std::string& only, const Progress& progress) {
-    check_all_posting(project);
-    auto plan = std::make_shared<Plan>();
-    SetupPlanners planners;
-    plan->setups = plan_setups(project, only, planners, progress.part(0, 0.9), plan_view);
-    plan->air.resize(plan->setups.size());
-    for (std::size_t i = 0; i < plan->setups.size(); ++i) {
-        const double n = double(plan->setups.size());
-        if (plan->setups[i].asked)
-            plan->air[i] =
-                feed_in_air(plan->setups[i].project, plan->setups[i].plan,
-                            progress.part(0.9 + 0.1 * double(i) / n, 0.9 + 0.1 * double(i + 1) / n));
-    }
-    return plan;
-}
-
-std::vector<std::filesystem::path> write_programs(const Plan& plan, const std::string& folder,
-                                                  const Progress& progress) {
-    for (const SetupPlan& setup : plan.setups)
-        if (setup.asked) setup.plan->check_reach();
-    return write_setups(plan.setups, folder, progress, plan.air);
-}
-
-/// What `facetmill-cli simulate` makes of one: of several setups chain by chain.
 struct Judged {
-    std::shared_ptr<const Plan> plan;
-    std::vector<JudgedChain> chains;
-    std::vector<VerifyProgram> programs; ///< of a single setup
-    std::shared_ptr<const Verification> single;
-
-    const Project& project() const { return plan->setups.front().project; }
-    const Verification& first() const { return single ? *single : *chains.front().result; }
-    Verdict verdict() const { return single ? single->verdict() : verdict_of(chains); }
-    std::string json() const {
-        return single ? verify_json(project(), programs, *single) : chains_json(chains);
-    }
-    std::string findings() const {
-        return single ? findings_line(project(), programs, *single) : findings_line(chains);
-    }
+    std::shared_ptr<const PlannedJob> plan; ///< what it is about
+    JudgedJob job;
+    const Verification& first() const { return *job.chains.front().result; }
 };
 
-std::shared_ptr<Judged> judged(const std::shared_ptr<Plan>& plan, double resolution, double spacing,
+std::shared_ptr<PlannedJob> planned(const Project& project, const std::string& only,
+                                    const Progress& progress) {
+    SetupPlanners planners;
+    return std::make_shared<PlannedJob>(plan_job(project, only, planners, {}, Reach::any, progress));
+}
+
+std::shared_ptr<Judged> judged(const std::shared_ptr<PlannedJob>& plan, double resolution, double spacing,
                                const Progress& progress) {
-    auto result = std::make_shared<Judged>();
-    result->plan = plan;
-    const auto ask = [&](VerifySettings& settings) {
+    const auto ask = [&](VerifySettings& settings, std::span<const SetupPlan>,
+                         std::span<const std::vector<VerifyProgram>>) {
         settings.resolution = resolution;
         settings.sample_spacing = spacing;
     };
-    if (plan->setups.size() > 1) {
-        const auto chains = stock_chains(plan->setups);
-        for (std::size_t i = 0; i < chains.size(); ++i) {
-            VerifySettings settings = chain_settings(chains[i]);
-            ask(settings);
-            const double n = double(chains.size());
-            result->chains.push_back(judge_chain(chains[i], planned_programs(chains[i]), settings,
-                                                 progress.part(double(i) / n, double(i + 1) / n)));
-        }
-        return result;
-    }
-    const SetupPlan& setup = plan->setups.front();
-    VerifySettings settings = verify_settings(setup.project, setup.plan.get());
-    ask(settings);
-    const PreparedPart& part = *setup.plan->part;
-    result->programs = verify_programs(setup.project, setup.plan);
-    auto found = std::make_shared<Verification>(
-        verify(*part.mesh, stock_solid(setup.project.stock, part), result->programs, settings, progress));
-    std::vector<std::string> remarks = stock_warnings(setup.project.stock, part, setup.project.unit);
-    found->remarks.insert(found->remarks.begin(), remarks.begin(), remarks.end());
-    result->single = std::move(found);
-    return result;
+    return std::make_shared<Judged>(Judged{plan, judge_job(plan->setups, ask, progress)});
 }
 
 py::array_t<float> deviation_of(const Judged& judged) {
@@ -301,7 +238,8 @@ void describe_geometry(py::module_& m) {
     py::class_<DropCutter>(m, "DropCutter", "A cutter over a mesh, lowered along Z.")
         .def(py::init<const std::shared_ptr<Mesh>&, const AptCutter&, double, PythonJob*>(), py::arg("mesh"),
              py::arg("cutter"), py::arg("allowance") = 0.0, py::arg("job") = nullptr)
-        .def("drop", &DropCutter::drop, py::arg("points"), py::arg("job") = nullptr);
+        .def("drop", &DropCutter::drop, py::arg("points"), py::arg("job") = nullptr,
+             py::arg("out") = py::none());
     m.def(
         "load_mesh",
         [](const std::string& file, const std::string& units, PythonJob* job) {
@@ -331,38 +269,36 @@ void describe_jobs(py::module_& m) {
         .def(
             "plan",
             [](const Project& p, const std::string& operation, PythonJob* job) {
-                return waited(job, [&](const Progress& progress) { return plan_of(p, operation, progress); });
+                return waited(job, [&](const Progress& progress) { return planned(p, operation, progress); });
             },
             py::arg("operation") = "", py::arg("job") = nullptr);
-    py::class_<Plan, std::shared_ptr<Plan>>(m, "Plan", "A project planned: its programs.")
-        .def_property_readonly("report", [](const Plan& p) { return parsed(p.report()); })
+    py::class_<PlannedJob, std::shared_ptr<PlannedJob>>(m, "Plan", "A project planned: its programs.")
+        .def_property_readonly("report", [](const PlannedJob& p) { return parsed(p.report()); })
         .def(
             "write",
-            [](const Plan& p, const std::string& folder, PythonJob* job) {
-                return names_of(waited(
-                    job, [&](const Progress& progress) { return write_programs(p, folder, progress); }));
+            [](const PlannedJob& p, const std::string& folder, PythonJob* job) {
+                return names_of(
+                    waited(job, [&](const Progress& progress) { return p.write(folder, progress); }));
             },
             py::arg("folder"), py::arg("job") = nullptr)
         .def(
             "verify",
-            [](const std::shared_ptr<Plan>& p, double resolution, double spacing, PythonJob* job) {
+            [](const std::shared_ptr<PlannedJob>& p, double resolution, double spacing, PythonJob* job) {
                 return waited(
                     job, [&](const Progress& progress) { return judged(p, resolution, spacing, progress); });
             },
             py::arg("resolution") = 0.0, py::arg("spacing") = 0.0, py::arg("job") = nullptr);
     py::class_<Judged, std::shared_ptr<Judged>>(m, "Verification", "What the judge says of a plan.")
-        .def_property_readonly("verdict", [](const Judged& j) { return verdict_name(j.verdict()); })
-        .def_property_readonly("findings", &Judged::findings)
-        .def_property_readonly("json", [](const Judged& j) { return parsed(j.json()); })
+        .def_property_readonly("verdict", [](const Judged& j) { return verdict_name(j.job.verdict()); })
+        .def_property_readonly("findings", [](const Judged& j) { return j.job.findings(); })
+        .def_property_readonly("json", [](const Judged& j) { return parsed(j.job.json()); })
         .def_property_readonly("points", &points_of)
         .def_property_readonly("deviation", &deviation_of)
         .def(
             "write",
             [](const Judged& j, const std::string& folder, PythonJob* job) {
-                return names_of(waited(job, [&](const Progress& progress) {
-                    return j.single ? write_verification(j.project(), j.programs, *j.single, folder, progress)
-                                    : write_chains(j.chains, folder, progress);
-                }));
+                return names_of(
+                    waited(job, [&](const Progress& progress) { return j.job.write(folder, progress); }));
             },
             py::arg("folder"), py::arg("job") = nullptr);
     m.def(
