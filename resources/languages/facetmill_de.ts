@@ -1376,6 +1376,10 @@
         <translation>Gesucht wird, was der Hauptweg abträgt</translation>
     </message>
     <message>
+        <source>Looking for air</source>
+        <translation>Luftwege werden gesucht</translation>
+    </message>
+    <message>
         <source>Looking for crossings</source>
         <translation>Überschneidungen werden gesucht</translation>
     </message>

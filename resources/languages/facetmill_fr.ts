@@ -1376,6 +1376,10 @@
         <translation>Examen de ce que le parcours principal enlève</translation>
     </message>
     <message>
+        <source>Looking for air</source>
+        <translation>Recherche des trajets à vide</translation>
+    </message>
+    <message>
         <source>Looking for crossings</source>
         <translation>Recherche des croisements</translation>
     </message>
