@@ -15,7 +15,7 @@ struct ReadingOption {
 };
 constexpr std::array<ReadingOption, 8> reading_options{{
     {"--objects", "objects", "NAMES",
-     "3MF: objects by name or number, commas between (default: what is on the plate)"},
+     "3MF, glTF: objects by name or number, commas between (default: what is on the plate, or in the scene)"},
     {"--picture-width", "picture_width", "W", "PNG, TIFF: along X, first to last column (default: 100 mm)"},
     {"--picture-length", "picture_length", "L", "PNG, TIFF: along Y (default: as the pixels are, square)"},
     {"--relief-height", "relief_height", "H", "PNG, TIFF: of white above black (default: 5 mm)"},

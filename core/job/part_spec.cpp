@@ -118,14 +118,16 @@ const ParameterTable<PartSpec>& part_parameters() {
                                                   .minimum = 0,
                                                   .maximum = 1000,
                                                   .stage = Stage::contact});
-        t.add(&PartSpec::objects,
-              {.key = "objects",
-               .label = "Objects",
-               .help = "Which objects of a 3MF file are the part, by name or number, separated by commas; "
-                       "`info` lists them. Empty: all on the file's build plate.",
-               .kind = K::text,
-               .stage = Stage::mesh,
-               .default_unwritten = true});
+        t.add(
+            &PartSpec::objects,
+            {.key = "objects",
+             .label = "Objects",
+             .help =
+                 "Which objects of a 3MF or glTF file are the part, by name or number, separated by commas; "
+                 "`info` lists them. Empty: all on the file's build plate, or in its scene.",
+             .kind = K::text,
+             .stage = Stage::mesh,
+             .default_unwritten = true});
         add_relief(t);
         add_surfaces(t);
         t.add_records(&PartSpec::repair, repair_list,

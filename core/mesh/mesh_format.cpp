@@ -19,8 +19,9 @@ std::string_view content_of(std::string_view bytes, std::string_view but) {
 
 const std::vector<MeshFormat>& mesh_formats() {
     static const std::vector<MeshFormat> all = {
-        detail::stl_format(),  detail::obj_format(),  detail::ply_format(), detail::threemf_format(),
-        detail::step_format(), detail::iges_format(), detail::png_format(), detail::tiff_format(),
+        detail::stl_format(),     detail::obj_format(),  detail::ply_format(),
+        detail::threemf_format(), detail::gltf_format(), detail::step_format(),
+        detail::iges_format(),    detail::png_format(),  detail::tiff_format(),
     };
     return all;
 }

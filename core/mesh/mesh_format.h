@@ -50,6 +50,7 @@ MeshFormat stl_format();
 MeshFormat obj_format();
 MeshFormat ply_format();
 MeshFormat threemf_format();
+MeshFormat gltf_format();
 MeshFormat png_format();
 MeshFormat tiff_format();
 MeshFormat step_format();

@@ -74,6 +74,8 @@ constexpr Sentence sentences[] = {
     {"polygons_triangulated", "Polygons with more than three corners were cut into triangles."},
     {"scaled", "The project scales the part: it is not as large as its file and unit say."},
     {"several_bodies", "The file has several parts or solids; all are in their places."},
+    {"shapes_at_rest",
+     "The file moves its meshes by bones, or into other shapes: they were read as they are modelled."},
     {"slices_ignored",
      "Objects have slices beside their mesh, which may be a coarse stand-in for them; the mesh was read."},
     {"surfaces_joined", "Surfaces that lie edge to edge within the chord tolerance were joined: the file "
@@ -87,6 +89,7 @@ constexpr Sentence sentences[] = {
     {"unterminated_line",
      "The last line has no line end: the file may have been cut. It was read as it stands."},
     {"weights_ignored", "Vertices have rational weights other than 1; they were ignored."},
+    {"y_up_turned", "Files of this format have Y pointing up: the part was turned so that Z does."},
 };
 
 /// Sets of things that are joined, from any number of threads: the root of a set is its smallest number, so

@@ -34,7 +34,8 @@ struct SurfaceReport {
 };
 
 struct MeshReport {
-    /// "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary", "3MF", "PNG", "TIFF", "STEP", "IGES".
+    /// "STL binary", "STL ASCII", "OBJ", "PLY ASCII", "PLY binary", "3MF", "GLB", "glTF", "PNG", "TIFF",
+    /// "STEP", "IGES".
     std::string format;
     std::string name;         ///< the solid's name, printable, at most 200 bytes
     std::size_t facets = 0;   ///< triangles in the file, degenerate ones included

@@ -82,7 +82,8 @@ private:
                         "objects are put together too deeply, or hold themselves: " + called(id),
                         "the file is damaged: export it again");
         const Object3mf& object = object_of(id);
-        Expanded all{object.facets.size(), 1};
+        // No mesh needs more than three vertices a facet: those of no facet count as well.
+        Expanded all{std::max<std::uint64_t>(object.facets.size(), object.vertices.size() / 3), 1};
         for (const Use3mf& part : object.components)
             add(all, measure(part.object, depth + 1));
         measured_[id] = all;

@@ -816,6 +816,10 @@
         <translation>Datei</translation>
     </message>
     <message>
+        <source>Files of this format have Y pointing up: the part was turned so that Z does.</source>
+        <translation>In Dateien dieses Formats zeigt Y nach oben: Das Teil wurde gedreht, sodass Z es tut.</translation>
+    </message>
+    <message>
         <source>Fill</source>
         <translation>Füllung</translation>
     </message>
@@ -2396,6 +2400,10 @@
         <translation>Die Datei hat mehrere Körper; ihre Facetten wurden zusammengelegt.</translation>
     </message>
     <message>
+        <source>The file moves its meshes by bones, or into other shapes: they were read as they are modelled.</source>
+        <translation>Die Datei bewegt ihre Netze durch Knochen oder in andere Formen: Sie wurden gelesen, wie sie modelliert sind.</translation>
+    </message>
+    <message>
         <source>The file states its own unit, which is not the one that the job says: that of the file counts.</source>
         <translation>Die Datei nennt ihre eigene Einheit, die nicht die des Auftrags ist: die der Datei gilt.</translation>
     </message>
@@ -2836,8 +2844,8 @@
         <translation>Wo die Mitte seines Bodens ist; wie weit ein Netz verschoben wird. Die Lage des Teils bewegt es nicht.</translation>
     </message>
     <message>
-        <source>Which objects of a 3MF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate.</source>
-        <translation>Welche Objekte einer 3MF-Datei das Teil sind, nach Name oder Nummer, durch Kommas getrennt; info listet sie auf. Leer: alle auf der Bauplatte der Datei.</translation>
+        <source>Which objects of a 3MF or glTF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate, or in its scene.</source>
+        <translation>Welche Objekte einer 3MF- oder glTF-Datei das Teil sind, nach Name oder Nummer, durch Kommas getrennt; info listet sie auf. Leer: alle auf der Bauplatte der Datei oder in ihrer Szene.</translation>
     </message>
     <message>
         <source>Wider than the tool, whose diameter is {1}: walls would stay between the passes</source>
@@ -3234,6 +3242,10 @@
     <message>
         <source>a pointer of Git LFS to a file that was not fetched</source>
         <translation>ein Verweis von Git LFS auf eine Datei, die nicht geholt wurde</translation>
+    </message>
+    <message>
+        <source>a primitive has no positions</source>
+        <translation>ein Teil des Netzes hat keine Punkte</translation>
     </message>
     <message>
         <source>a program has taken the binary file for text and written it as UTF-8</source>
@@ -4336,6 +4348,10 @@
         <translation>direction hat bei einem drehenden Teil keine Bedeutung: siehe pattern</translation>
     </message>
     <message>
+        <source>does not begin with its JSON</source>
+        <translation>beginnt nicht mit seinem JSON</translation>
+    </message>
+    <message>
         <source>dragged point</source>
         <translation>gezogener Punkt</translation>
     </message>
@@ -4464,12 +4480,28 @@
         <translation>als einfaches Netz exportieren</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>als glTF 2.0 exportieren</translation>
+    </message>
+    <message>
+        <source>export it as one file, .glb</source>
+        <translation>als eine einzige Datei exportieren, .glb</translation>
+    </message>
+    <message>
+        <source>export it as plain triangles</source>
+        <translation>als einfache Dreiecke exportieren</translation>
+    </message>
+    <message>
         <source>export it in micron, millimeter, centimeter, inch or meter</source>
         <translation>in micron, millimeter, centimeter, inch oder meter exportieren</translation>
     </message>
     <message>
         <source>export it in one unit</source>
         <translation>in einer Einheit exportieren</translation>
+    </message>
+    <message>
+        <source>export it without compression, as plain triangles</source>
+        <translation>ohne Kompression exportieren, als einfache Dreiecke</translation>
     </message>
     <message>
         <source>export or copy it again</source>
@@ -4494,6 +4526,10 @@
     <message>
         <source>export the part as STL</source>
         <translation>das Teil als STL exportieren</translation>
+    </message>
+    <message>
+        <source>export the part as a mesh</source>
+        <translation>das Teil als Netz exportieren</translation>
     </message>
     <message>
         <source>export the part as solids or surfaces, not as curves or a mesh</source>
@@ -4904,6 +4940,14 @@
         <translation>zuerst gerade dorthin fahren</translation>
     </message>
     <message>
+        <source>goes beyond its buffer</source>
+        <translation>reicht über seinen Puffer hinaus</translation>
+    </message>
+    <message>
+        <source>goes beyond its part of the buffer</source>
+        <translation>reicht über seinen Teil des Puffers hinaus</translation>
+    </message>
+    <message>
         <source>gouge of {1} ({2}), limit {3}</source>
         <translation>Verletzung von {1} ({2}), Grenze {3}</translation>
     </message>
@@ -4934,6 +4978,10 @@
     <message>
         <source>has more points than can be drawn</source>
         <translation>hat mehr Punkte, als gezeichnet werden können</translation>
+    </message>
+    <message>
+        <source>has no list of primitives</source>
+        <translation>hat keine Liste seiner Teile (primitives)</translation>
     </message>
     <message>
         <source>has no positive radius and length</source>
@@ -5008,6 +5056,14 @@
         <translation>Halter {1}</translation>
     </message>
     <message>
+        <source>holds changes to other numbers</source>
+        <translation>enthält Änderungen an anderen Zahlen (sparse)</translation>
+    </message>
+    <message>
+        <source>holds more numbers than the file has bytes</source>
+        <translation>enthält mehr Zahlen, als die Datei Bytes hat</translation>
+    </message>
+    <message>
         <source>holds no tool</source>
         <translation>enthält kein Werkzeug</translation>
     </message>
@@ -5072,6 +5128,10 @@
         <translation>seine Befehle installieren (Debian: slurm-client) oder --on local angeben</translation>
     </message>
     <message>
+        <source>is JSON, but no glTF: it has no asset</source>
+        <translation>ist JSON, aber kein glTF: asset fehlt</translation>
+    </message>
+    <message>
         <source>is a file that the job reads</source>
         <translation>ist eine Datei, die der Auftrag liest</translation>
     </message>
@@ -5104,8 +5164,16 @@
         <translation>ist ein Archiv, aber kein 3MF: es hat keine Beziehungen</translation>
     </message>
     <message>
+        <source>is binary glTF of version {1}</source>
+        <translation>ist binäres glTF der Version {1}</translation>
+    </message>
+    <message>
         <source>is encrypted</source>
         <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>is glTF of version '{1}'</source>
+        <translation>ist glTF der Version „{1}“</translation>
     </message>
     <message>
         <source>is more than {1} bytes with those before it, unpacked</source>
@@ -5124,6 +5192,18 @@
         <translation>ist kein lesbares TIFF-Bild: {1}</translation>
     </message>
     <message>
+        <source>is no list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>is no list of {1} numbers</source>
+        <translation>ist keine Liste von {1} Zahlen</translation>
+    </message>
+    <message>
+        <source>is no object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
         <source>is no outline of a holder</source>
         <translation>ist kein Umriss eines Halters</translation>
     </message>
@@ -5134,6 +5214,14 @@
     <message>
         <source>is no parameter of a turning part</source>
         <translation>ist kein Parameter eines drehenden Teils</translation>
+    </message>
+    <message>
+        <source>is no place in space</source>
+        <translation>ist keine Lage im Raum</translation>
+    </message>
+    <message>
+        <source>is no rotation</source>
+        <translation>ist keine Drehung</translation>
     </message>
     <message>
         <source>is no sound PNG picture: {1}</source>
@@ -5154,6 +5242,10 @@
     <message>
         <source>is no tool library that this program knows</source>
         <translation>ist keine Werkzeugbibliothek, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>is no whole number</source>
+        <translation>ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>is not a 3MF file</source>
@@ -5184,6 +5276,14 @@
         <translation>ist kein TIFF-Bild, sondern {1}</translation>
     </message>
     <message>
+        <source>is not a glTF file</source>
+        <translation>ist keine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>is not a glTF file but {1}</source>
+        <translation>ist keine glTF-Datei, sondern {1}</translation>
+    </message>
+    <message>
         <source>is not a regular file</source>
         <translation>ist keine gewöhnliche Datei</translation>
     </message>
@@ -5198,6 +5298,10 @@
     <message>
         <source>is not an STL file but {1}</source>
         <translation>ist keine STL-Datei, sondern {1}</translation>
+    </message>
+    <message>
+        <source>is of another type than {1}</source>
+        <translation>ist von anderer Art als {1}</translation>
     </message>
     <message>
         <source>is there already, and is another file</source>
@@ -5372,6 +5476,10 @@
         <translation>die Attribute sind nicht lesbar</translation>
     </message>
     <message>
+        <source>its first bytes are not those of a PNG picture, as after a transfer as text</source>
+        <translation>seine ersten Bytes sind nicht die eines PNG-Bildes, wie nach einer Übertragung als Text</translation>
+    </message>
+    <message>
         <source>its holder is narrower than its shank, and taken as wide</source>
         <translation>der Halter ist schmaler als der Schaft und wird so breit genommen</translation>
     </message>
@@ -5380,8 +5488,20 @@
         <translation>der Hals gilt als so breit wie die breiteste Stelle des Schafts</translation>
     </message>
     <message>
-        <source>its numbers have a sign, or are no numbers</source>
-        <translation>die Zahlen haben ein Vorzeichen oder sind keine</translation>
+        <source>its numbers are no numbers of vertices</source>
+        <translation>seine Zahlen sind keine Nummern von Eckpunkten</translation>
+    </message>
+    <message>
+        <source>its numbers are of an unknown type</source>
+        <translation>seine Zahlen sind von unbekannter Art</translation>
+    </message>
+    <message>
+        <source>its numbers lie over each other</source>
+        <translation>seine Zahlen liegen übereinander</translation>
+    </message>
+    <message>
+        <source>its objects, put together, have more than 50 million facets</source>
+        <translation>seine Objekte haben zusammen mehr als 50 Millionen Facetten</translation>
     </message>
     <message>
         <source>its objects, put together, have more than 50 million facets or a million parts</source>
@@ -5714,6 +5834,10 @@
     <message>
         <source>meshes are not written as {1} files</source>
         <translation>Netze werden nicht als {1}-Dateien geschrieben</translation>
+    </message>
+    <message>
+        <source>meshes[{1}]</source>
+        <translation>meshes[{1}]</translation>
     </message>
     <message>
         <source>middle</source>
@@ -6070,6 +6194,14 @@
     <message>
         <source>nobody has said which tool leaves it</source>
         <translation>niemand hat gesagt, welches Werkzeug ihn lässt</translation>
+    </message>
+    <message>
+        <source>nodes hold each other too deeply, or themselves</source>
+        <translation>Knoten enthalten einander zu tief oder sich selbst</translation>
+    </message>
+    <message>
+        <source>nodes[{1}]</source>
+        <translation>nodes[{1}]</translation>
     </message>
     <message>
         <source>none</source>
@@ -6592,8 +6724,16 @@
         <translation>sie als UTF-8 speichern</translation>
     </message>
     <message>
-        <source>save it as one channel of grey: 8 or 16 bits without a sign, or 32-bit floats</source>
-        <translation>als einen Graukanal speichern: 8 oder 16 Bit ohne Vorzeichen, oder 32-Bit-Fließkomma</translation>
+        <source>save it as one channel of grey, upright</source>
+        <translation>als einen einzigen Graukanal speichern, aufrecht</translation>
+    </message>
+    <message>
+        <source>save it as one channel of grey: 8 or 16 bits, or 32-bit floats</source>
+        <translation>als einen einzigen Graukanal speichern: 8 oder 16 Bit, oder Gleitkommazahlen von 32 Bit</translation>
+    </message>
+    <message>
+        <source>save it in binary form, as .glb</source>
+        <translation>in binärer Form speichern, als .glb</translation>
     </message>
     <message>
         <source>save it in strips or smaller tiles</source>
@@ -6678,6 +6818,10 @@
     <message>
         <source>send Z home first, alone</source>
         <translation>zuerst Z allein zur Grundstellung schicken</translation>
+    </message>
+    <message>
+        <source>send it again as a binary file</source>
+        <translation>noch einmal als Binärdatei senden</translation>
     </message>
     <message>
         <source>send the files as they are</source>
@@ -6924,6 +7068,14 @@
         <translation>der Stirnwinkel {1} ist außerhalb des Bereichs</translation>
     </message>
     <message>
+        <source>the buffer has no data</source>
+        <translation>der Puffer hat keine Daten</translation>
+    </message>
+    <message>
+        <source>the buffer has {1} bytes, not {2}</source>
+        <translation>der Puffer hat {1} Bytes, nicht {2}</translation>
+    </message>
+    <message>
         <source>the cells of a stock field are not above 0</source>
         <translation>die Zellen eines Rohteilfeldes sind nicht über 0</translation>
     </message>
@@ -7052,6 +7204,14 @@
         <translation>der Fräser{1} passt, aber Schaft oder Halter würden das Teil berühren</translation>
     </message>
     <message>
+        <source>the data is no base64</source>
+        <translation>die Daten sind kein base64</translation>
+    </message>
+    <message>
+        <source>the data lies in another file, '{1}'</source>
+        <translation>die Daten liegen in einer anderen Datei, „{1}“</translation>
+    </message>
+    <message>
         <source>the depth of cut asks for more than {1} passes</source>
         <translation>die Schnitttiefe verlangt mehr als {1} Bahnen</translation>
     </message>
@@ -7128,6 +7288,10 @@
         <translation>die Datei endet hier</translation>
     </message>
     <message>
+        <source>the file ends in its header</source>
+        <translation>die Datei endet in ihrem Kopf</translation>
+    </message>
+    <message>
         <source>the file ends in these elements</source>
         <translation>die Datei endet in diesen Elementen</translation>
     </message>
@@ -7168,6 +7332,10 @@
         <translation>die Datei endet in einem Wert</translation>
     </message>
     <message>
+        <source>the file ends within its data</source>
+        <translation>die Datei endet mitten in ihren Daten</translation>
+    </message>
+    <message>
         <source>the file has more than 4 thousand million elements</source>
         <translation>die Datei hat mehr als 4 Milliarden Elemente</translation>
     </message>
@@ -7184,6 +7352,10 @@
         <translation>die Datei hat {1} Bytes, eine binäre STL-Datei mindestens 84</translation>
     </message>
     <message>
+        <source>the file has {1} bytes, and should have more</source>
+        <translation>die Datei hat {1} Bytes und sollte mehr haben</translation>
+    </message>
+    <message>
         <source>the file holds no face</source>
         <translation>die Datei enthält keine Fläche</translation>
     </message>
@@ -7194,6 +7366,10 @@
     <message>
         <source>the file holds no mesh</source>
         <translation>die Datei enthält kein Netz</translation>
+    </message>
+    <message>
+        <source>the file holds no triangles</source>
+        <translation>die Datei enthält keine Dreiecke</translation>
     </message>
     <message>
         <source>the file holds no vertices</source>
@@ -7332,6 +7508,10 @@
         <translation>der Schlüssel kommt zweimal vor</translation>
     </message>
     <message>
+        <source>the last triangle has no three corners</source>
+        <translation>das letzte Dreieck hat keine drei Ecken</translation>
+    </message>
+    <message>
         <source>the lead limit is raised to {1}: that takes about {2}, {3} and rework of {4} {5}</source>
         <translation>die Grenze wird auf {1} erhöht: das braucht etwa {2}, {3} und die Nacharbeit von {4} {5}</translation>
     </message>
@@ -7454,6 +7634,10 @@
     <message>
         <source>the name occurs twice</source>
         <translation>der Name kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the node's place leaves nothing of an object</source>
+        <translation>die Lage des Knotens lässt von einem Objekt nichts übrig</translation>
     </message>
     <message>
         <source>the number is not from {1} to {2}</source>
@@ -7604,8 +7788,12 @@
         <translation>das Bild hat {1} Bit je Pixel, als Fließkomma</translation>
     </message>
     <message>
-        <source>the picture has {1} channels</source>
-        <translation>das Bild hat {1} Kanäle</translation>
+        <source>the picture has {1} bits a pixel, which are no plain numbers</source>
+        <translation>das Bild hat {1} Bit je Pixel, die keine einfachen Zahlen sind</translation>
+    </message>
+    <message>
+        <source>the picture has {1} bits a pixel, with a sign</source>
+        <translation>das Bild hat {1} Bit je Pixel, mit Vorzeichen</translation>
     </message>
     <message>
         <source>the picture has {1}, more than 100 million in all or 100 000 a side</source>
@@ -7616,12 +7804,12 @@
         <translation>das Bild ist interlaced und hat {1} × {2} Pixel</translation>
     </message>
     <message>
-        <source>the picture is not one of grey</source>
-        <translation>das Bild ist kein Graubild</translation>
+        <source>the picture is not plain grey and has {1} × {2} pixels</source>
+        <translation>das Bild ist kein einfaches Grau und hat {1} × {2} Pixel</translation>
     </message>
     <message>
-        <source>the picture says that it is to be turned or mirrored</source>
-        <translation>das Bild sagt, dass es gedreht oder gespiegelt werden soll</translation>
+        <source>the picture's colours cannot be read: {1}</source>
+        <translation>die Farben des Bildes können nicht gelesen werden: {1}</translation>
     </message>
     <message>
         <source>the picture's tiles of {1} × {2} pixels are too large</source>
@@ -7634,6 +7822,10 @@
     <message>
         <source>the point {1}, {2}, {3}</source>
         <translation>den Punkt {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>the position {1} is not a finite number</source>
+        <translation>der Punkt {1} ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>the posture kept for {1} is not free and not used: {2}</source>
@@ -7878,6 +8070,10 @@
     <message>
         <source>the tessellation tolerances are not lengths of 0 or more</source>
         <translation>die Toleranzen der Vernetzung sind keine Längen von 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the text has more than 60 MB</source>
+        <translation>der Text hat mehr als 60 MB</translation>
     </message>
     <message>
         <source>the text holds control or invisible characters: '{1}'</source>
@@ -8280,6 +8476,10 @@
         <translation>es gibt keine Begrenzung '{1}'</translation>
     </message>
     <message>
+        <source>there is no buffer {1}</source>
+        <translation>es gibt keinen Puffer {1}</translation>
+    </message>
+    <message>
         <source>there is no contact point {1}: the operation has {2}</source>
         <translation>es gibt keinen Berührpunkt {1}: die Operation hat {2}</translation>
     </message>
@@ -8302,6 +8502,10 @@
     <message>
         <source>there is no motion that cuts</source>
         <translation>keine Bewegung fräst</translation>
+    </message>
+    <message>
+        <source>there is no number {1}</source>
+        <translation>es gibt keine Nummer {1}</translation>
     </message>
     <message>
         <source>there is no object '{1}'</source>

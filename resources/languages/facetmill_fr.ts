@@ -816,6 +816,10 @@
         <translation>Fichier</translation>
     </message>
     <message>
+        <source>Files of this format have Y pointing up: the part was turned so that Z does.</source>
+        <translation>Dans les fichiers de ce format, Y pointe vers le haut : la pièce a été tournée pour que ce soit Z.</translation>
+    </message>
+    <message>
         <source>Fill</source>
         <translation>Remplissage</translation>
     </message>
@@ -2396,6 +2400,10 @@
         <translation>Le fichier a plusieurs solides ; leurs facettes ont été réunies.</translation>
     </message>
     <message>
+        <source>The file moves its meshes by bones, or into other shapes: they were read as they are modelled.</source>
+        <translation>Le fichier déplace ses maillages par des os ou vers d’autres formes : ils ont été lus tels qu’ils sont modélisés.</translation>
+    </message>
+    <message>
         <source>The file states its own unit, which is not the one that the job says: that of the file counts.</source>
         <translation>Le fichier dit sa propre unité, qui n'est pas celle du travail : celle du fichier compte.</translation>
     </message>
@@ -2836,8 +2844,8 @@
         <translation>Où est le milieu de son fond ; de combien un maillage est déplacé. La mise en place de la pièce ne le bouge pas.</translation>
     </message>
     <message>
-        <source>Which objects of a 3MF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate.</source>
-        <translation>Quels objets d'un fichier 3MF sont la pièce, par nom ou numéro, séparés par des virgules ; info les énumère. Vide : tous ceux du plateau du fichier.</translation>
+        <source>Which objects of a 3MF or glTF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate, or in its scene.</source>
+        <translation>Quels objets d’un fichier 3MF ou glTF forment la pièce, par nom ou numéro, séparés par des virgules ; info en donne la liste. Vide : tous ceux du plateau du fichier, ou de sa scène.</translation>
     </message>
     <message>
         <source>Wider than the tool, whose diameter is {1}: walls would stay between the passes</source>
@@ -3234,6 +3242,10 @@
     <message>
         <source>a pointer of Git LFS to a file that was not fetched</source>
         <translation>un pointeur de Git LFS vers un fichier qui n’a pas été récupéré</translation>
+    </message>
+    <message>
+        <source>a primitive has no positions</source>
+        <translation>une partie du maillage n’a pas de points</translation>
     </message>
     <message>
         <source>a program has taken the binary file for text and written it as UTF-8</source>
@@ -4336,6 +4348,10 @@
         <translation>direction n'a pas de sens pour une pièce tournante : voir pattern</translation>
     </message>
     <message>
+        <source>does not begin with its JSON</source>
+        <translation>ne commence pas par son JSON</translation>
+    </message>
+    <message>
         <source>dragged point</source>
         <translation>point tiré</translation>
     </message>
@@ -4464,12 +4480,28 @@
         <translation>l'exporter comme simple maillage</translation>
     </message>
     <message>
+        <source>export it as glTF 2.0</source>
+        <translation>l’exporter en glTF 2.0</translation>
+    </message>
+    <message>
+        <source>export it as one file, .glb</source>
+        <translation>l’exporter en un seul fichier, .glb</translation>
+    </message>
+    <message>
+        <source>export it as plain triangles</source>
+        <translation>l’exporter en simples triangles</translation>
+    </message>
+    <message>
         <source>export it in micron, millimeter, centimeter, inch or meter</source>
         <translation>l'exporter en micron, millimeter, centimeter, inch ou meter</translation>
     </message>
     <message>
         <source>export it in one unit</source>
         <translation>l'exporter dans une seule unité</translation>
+    </message>
+    <message>
+        <source>export it without compression, as plain triangles</source>
+        <translation>l’exporter sans compression, en simples triangles</translation>
     </message>
     <message>
         <source>export or copy it again</source>
@@ -4494,6 +4526,10 @@
     <message>
         <source>export the part as STL</source>
         <translation>exporter la pièce en STL</translation>
+    </message>
+    <message>
+        <source>export the part as a mesh</source>
+        <translation>exporter la pièce comme maillage</translation>
     </message>
     <message>
         <source>export the part as solids or surfaces, not as curves or a mesh</source>
@@ -4904,6 +4940,14 @@
         <translation>y aller d'abord tout droit</translation>
     </message>
     <message>
+        <source>goes beyond its buffer</source>
+        <translation>dépasse son tampon</translation>
+    </message>
+    <message>
+        <source>goes beyond its part of the buffer</source>
+        <translation>dépasse sa partie du tampon</translation>
+    </message>
+    <message>
         <source>gouge of {1} ({2}), limit {3}</source>
         <translation>entaille de {1} ({2}), limite {3}</translation>
     </message>
@@ -4934,6 +4978,10 @@
     <message>
         <source>has more points than can be drawn</source>
         <translation>a plus de points qu'on n'en peut dessiner</translation>
+    </message>
+    <message>
+        <source>has no list of primitives</source>
+        <translation>n’a pas de liste de parties (primitives)</translation>
     </message>
     <message>
         <source>has no positive radius and length</source>
@@ -5008,6 +5056,14 @@
         <translation>porte-outil {1}</translation>
     </message>
     <message>
+        <source>holds changes to other numbers</source>
+        <translation>contient des modifications d’autres nombres (sparse)</translation>
+    </message>
+    <message>
+        <source>holds more numbers than the file has bytes</source>
+        <translation>contient plus de nombres que le fichier n’a d’octets</translation>
+    </message>
+    <message>
         <source>holds no tool</source>
         <translation>ne contient pas d'outil</translation>
     </message>
@@ -5072,6 +5128,10 @@
         <translation>installer ses commandes (Debian : slurm-client), ou donner --on local</translation>
     </message>
     <message>
+        <source>is JSON, but no glTF: it has no asset</source>
+        <translation>est du JSON, mais pas du glTF : il n’a pas d’asset</translation>
+    </message>
+    <message>
         <source>is a file that the job reads</source>
         <translation>est un fichier que le travail lit</translation>
     </message>
@@ -5104,8 +5164,16 @@
         <translation>est une archive, mais pas un 3MF : elle n'a pas de relations</translation>
     </message>
     <message>
+        <source>is binary glTF of version {1}</source>
+        <translation>est du glTF binaire de version {1}</translation>
+    </message>
+    <message>
         <source>is encrypted</source>
         <translation>est chiffré</translation>
+    </message>
+    <message>
+        <source>is glTF of version '{1}'</source>
+        <translation>est du glTF de version « {1} »</translation>
     </message>
     <message>
         <source>is more than {1} bytes with those before it, unpacked</source>
@@ -5124,6 +5192,18 @@
         <translation>n'est pas une image TIFF lisible : {1}</translation>
     </message>
     <message>
+        <source>is no list</source>
+        <translation>n’est pas une liste</translation>
+    </message>
+    <message>
+        <source>is no list of {1} numbers</source>
+        <translation>n’est pas une liste de {1} nombres</translation>
+    </message>
+    <message>
+        <source>is no object</source>
+        <translation>n’est pas un objet</translation>
+    </message>
+    <message>
         <source>is no outline of a holder</source>
         <translation>n'est pas un contour de porte-outil</translation>
     </message>
@@ -5134,6 +5214,14 @@
     <message>
         <source>is no parameter of a turning part</source>
         <translation>n'est pas un paramètre d'une pièce tournante</translation>
+    </message>
+    <message>
+        <source>is no place in space</source>
+        <translation>n’est pas une position dans l’espace</translation>
+    </message>
+    <message>
+        <source>is no rotation</source>
+        <translation>n’est pas une rotation</translation>
     </message>
     <message>
         <source>is no sound PNG picture: {1}</source>
@@ -5154,6 +5242,10 @@
     <message>
         <source>is no tool library that this program knows</source>
         <translation>n'est pas une bibliothèque d'outils que ce programme connaît</translation>
+    </message>
+    <message>
+        <source>is no whole number</source>
+        <translation>n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>is not a 3MF file</source>
@@ -5184,6 +5276,14 @@
         <translation>n'est pas une image TIFF mais {1}</translation>
     </message>
     <message>
+        <source>is not a glTF file</source>
+        <translation>n’est pas un fichier glTF</translation>
+    </message>
+    <message>
+        <source>is not a glTF file but {1}</source>
+        <translation>n’est pas un fichier glTF mais {1}</translation>
+    </message>
+    <message>
         <source>is not a regular file</source>
         <translation>n'est pas un fichier ordinaire</translation>
     </message>
@@ -5198,6 +5298,10 @@
     <message>
         <source>is not an STL file but {1}</source>
         <translation>n'est pas un fichier STL mais {1}</translation>
+    </message>
+    <message>
+        <source>is of another type than {1}</source>
+        <translation>est d’un autre type que {1}</translation>
     </message>
     <message>
         <source>is there already, and is another file</source>
@@ -5372,6 +5476,10 @@
         <translation>ses attributs sont illisibles</translation>
     </message>
     <message>
+        <source>its first bytes are not those of a PNG picture, as after a transfer as text</source>
+        <translation>ses premiers octets ne sont pas ceux d’une image PNG, comme après un transfert en mode texte</translation>
+    </message>
+    <message>
         <source>its holder is narrower than its shank, and taken as wide</source>
         <translation>son porte-outil est plus étroit que sa queue, et pris aussi large</translation>
     </message>
@@ -5380,8 +5488,20 @@
         <translation>son col est pris aussi large que le plus large de la queue</translation>
     </message>
     <message>
-        <source>its numbers have a sign, or are no numbers</source>
-        <translation>ses nombres ont un signe, ou n'en sont pas</translation>
+        <source>its numbers are no numbers of vertices</source>
+        <translation>ses nombres ne sont pas des numéros de sommets</translation>
+    </message>
+    <message>
+        <source>its numbers are of an unknown type</source>
+        <translation>ses nombres sont d’un type inconnu</translation>
+    </message>
+    <message>
+        <source>its numbers lie over each other</source>
+        <translation>ses nombres se chevauchent</translation>
+    </message>
+    <message>
+        <source>its objects, put together, have more than 50 million facets</source>
+        <translation>ses objets, assemblés, ont plus de 50 millions de facettes</translation>
     </message>
     <message>
         <source>its objects, put together, have more than 50 million facets or a million parts</source>
@@ -5714,6 +5834,10 @@
     <message>
         <source>meshes are not written as {1} files</source>
         <translation>les maillages ne s'écrivent pas en fichiers {1}</translation>
+    </message>
+    <message>
+        <source>meshes[{1}]</source>
+        <translation>meshes[{1}]</translation>
     </message>
     <message>
         <source>middle</source>
@@ -6070,6 +6194,14 @@
     <message>
         <source>nobody has said which tool leaves it</source>
         <translation>personne n'a dit quel outil le laisse</translation>
+    </message>
+    <message>
+        <source>nodes hold each other too deeply, or themselves</source>
+        <translation>des nœuds s’emboîtent trop profondément, ou se contiennent eux-mêmes</translation>
+    </message>
+    <message>
+        <source>nodes[{1}]</source>
+        <translation>nodes[{1}]</translation>
     </message>
     <message>
         <source>none</source>
@@ -6592,8 +6724,16 @@
         <translation>l'enregistrer en UTF-8</translation>
     </message>
     <message>
-        <source>save it as one channel of grey: 8 or 16 bits without a sign, or 32-bit floats</source>
-        <translation>l'enregistrer en un canal de gris : 8 ou 16 bits sans signe, ou flottants 32 bits</translation>
+        <source>save it as one channel of grey, upright</source>
+        <translation>l’enregistrer en un seul canal de gris, à l’endroit</translation>
+    </message>
+    <message>
+        <source>save it as one channel of grey: 8 or 16 bits, or 32-bit floats</source>
+        <translation>l’enregistrer en un seul canal de gris : 8 ou 16 bits, ou flottants de 32 bits</translation>
+    </message>
+    <message>
+        <source>save it in binary form, as .glb</source>
+        <translation>l’enregistrer sous forme binaire, en .glb</translation>
     </message>
     <message>
         <source>save it in strips or smaller tiles</source>
@@ -6678,6 +6818,10 @@
     <message>
         <source>send Z home first, alone</source>
         <translation>envoyer d'abord Z à son origine, seul</translation>
+    </message>
+    <message>
+        <source>send it again as a binary file</source>
+        <translation>l’envoyer de nouveau comme fichier binaire</translation>
     </message>
     <message>
         <source>send the files as they are</source>
@@ -6924,6 +7068,14 @@
         <translation>l'angle de fond {1} est hors de la plage</translation>
     </message>
     <message>
+        <source>the buffer has no data</source>
+        <translation>le tampon n’a pas de données</translation>
+    </message>
+    <message>
+        <source>the buffer has {1} bytes, not {2}</source>
+        <translation>le tampon a {1} octets, et non {2}</translation>
+    </message>
+    <message>
         <source>the cells of a stock field are not above 0</source>
         <translation>les cellules d'un champ de brut ne sont pas au-dessus de 0</translation>
     </message>
@@ -7052,6 +7204,14 @@
         <translation>la fraise{1} y passe, mais sa queue ou son porte-outil toucheraient la pièce</translation>
     </message>
     <message>
+        <source>the data is no base64</source>
+        <translation>les données ne sont pas du base64</translation>
+    </message>
+    <message>
+        <source>the data lies in another file, '{1}'</source>
+        <translation>les données sont dans un autre fichier, « {1} »</translation>
+    </message>
+    <message>
         <source>the depth of cut asks for more than {1} passes</source>
         <translation>la profondeur de passe demande plus de {1} passes</translation>
     </message>
@@ -7128,6 +7288,10 @@
         <translation>le fichier finit ici</translation>
     </message>
     <message>
+        <source>the file ends in its header</source>
+        <translation>le fichier se termine dans son en-tête</translation>
+    </message>
+    <message>
         <source>the file ends in these elements</source>
         <translation>le fichier finit dans ces éléments</translation>
     </message>
@@ -7168,6 +7332,10 @@
         <translation>le fichier finit dans une valeur</translation>
     </message>
     <message>
+        <source>the file ends within its data</source>
+        <translation>le fichier se termine au milieu de ses données</translation>
+    </message>
+    <message>
         <source>the file has more than 4 thousand million elements</source>
         <translation>le fichier a plus de 4 milliards d'éléments</translation>
     </message>
@@ -7184,6 +7352,10 @@
         <translation>le fichier a {1} octets, un fichier STL binaire au moins 84</translation>
     </message>
     <message>
+        <source>the file has {1} bytes, and should have more</source>
+        <translation>le fichier a {1} octets et devrait en avoir plus</translation>
+    </message>
+    <message>
         <source>the file holds no face</source>
         <translation>le fichier ne contient aucune face</translation>
     </message>
@@ -7194,6 +7366,10 @@
     <message>
         <source>the file holds no mesh</source>
         <translation>le fichier ne contient pas de maillage</translation>
+    </message>
+    <message>
+        <source>the file holds no triangles</source>
+        <translation>le fichier ne contient pas de triangles</translation>
     </message>
     <message>
         <source>the file holds no vertices</source>
@@ -7332,6 +7508,10 @@
         <translation>la clé apparaît deux fois</translation>
     </message>
     <message>
+        <source>the last triangle has no three corners</source>
+        <translation>le dernier triangle n’a pas trois sommets</translation>
+    </message>
+    <message>
         <source>the lead limit is raised to {1}: that takes about {2}, {3} and rework of {4} {5}</source>
         <translation>la limite d'attaque est relevée à {1} : cela prend environ {2}, {3} et la reprise de {4} {5}</translation>
     </message>
@@ -7454,6 +7634,10 @@
     <message>
         <source>the name occurs twice</source>
         <translation>le nom apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the node's place leaves nothing of an object</source>
+        <translation>la position du nœud ne laisse rien d’un objet</translation>
     </message>
     <message>
         <source>the number is not from {1} to {2}</source>
@@ -7604,8 +7788,12 @@
         <translation>l'image a {1} bits par pixel, en flottants</translation>
     </message>
     <message>
-        <source>the picture has {1} channels</source>
-        <translation>l'image a {1} canaux</translation>
+        <source>the picture has {1} bits a pixel, which are no plain numbers</source>
+        <translation>l’image a {1} bits par pixel, qui ne sont pas de simples nombres</translation>
+    </message>
+    <message>
+        <source>the picture has {1} bits a pixel, with a sign</source>
+        <translation>l’image a {1} bits par pixel, avec signe</translation>
     </message>
     <message>
         <source>the picture has {1}, more than 100 million in all or 100 000 a side</source>
@@ -7616,12 +7804,12 @@
         <translation>l'image est entrelacée et a {1} × {2} pixels</translation>
     </message>
     <message>
-        <source>the picture is not one of grey</source>
-        <translation>l'image n'est pas en gris</translation>
+        <source>the picture is not plain grey and has {1} × {2} pixels</source>
+        <translation>l’image n’est pas en simple gris et a {1} × {2} pixels</translation>
     </message>
     <message>
-        <source>the picture says that it is to be turned or mirrored</source>
-        <translation>l'image dit qu'elle est à tourner ou refléter</translation>
+        <source>the picture's colours cannot be read: {1}</source>
+        <translation>les couleurs de l’image ne peuvent être lues : {1}</translation>
     </message>
     <message>
         <source>the picture's tiles of {1} × {2} pixels are too large</source>
@@ -7634,6 +7822,10 @@
     <message>
         <source>the point {1}, {2}, {3}</source>
         <translation>le point {1}, {2}, {3}</translation>
+    </message>
+    <message>
+        <source>the position {1} is not a finite number</source>
+        <translation>le point {1} n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>the posture kept for {1} is not free and not used: {2}</source>
@@ -7878,6 +8070,10 @@
     <message>
         <source>the tessellation tolerances are not lengths of 0 or more</source>
         <translation>les tolérances de maillage ne sont pas des longueurs de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>the text has more than 60 MB</source>
+        <translation>le texte a plus de 60 Mo</translation>
     </message>
     <message>
         <source>the text holds control or invisible characters: '{1}'</source>
@@ -8280,6 +8476,10 @@
         <translation>il n'y a pas de limite '{1}'</translation>
     </message>
     <message>
+        <source>there is no buffer {1}</source>
+        <translation>il n’y a pas de tampon {1}</translation>
+    </message>
+    <message>
         <source>there is no contact point {1}: the operation has {2}</source>
         <translation>il n'y a pas de point de contact {1} : l'opération en a {2}</translation>
     </message>
@@ -8302,6 +8502,10 @@
     <message>
         <source>there is no motion that cuts</source>
         <translation>aucun mouvement ne coupe</translation>
+    </message>
+    <message>
+        <source>there is no number {1}</source>
+        <translation>il n’y a pas de numéro {1}</translation>
     </message>
     <message>
         <source>there is no object '{1}'</source>

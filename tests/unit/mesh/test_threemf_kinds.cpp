@@ -190,6 +190,17 @@ private slots:
             "syntax");
         raw("two models in one", with_model(model + model.substr(model.find('\n') + 1)), "syntax");
         {
+            std::string many;
+            for (int k = 0; k < 3000; ++k)
+                many += "<vertex x=\"0\" y=\"0\" z=\"1\"/>";
+            std::string items;
+            for (int k = 0; k < 60'000; ++k)
+                items += "<item objectid=\"1\"/>";
+            row("vertices of no facet, again and again",
+                {.objects = with_all(mesh, "</vertices>", many + "</vertices>"), .items = items},
+                "limit_exceeded");
+        }
+        {
             std::string bent = as_streamed(threemf_bytes({.objects = mesh}));
             bent[bent.find("PK\3\4", 30) + 80] ^= 0x55; // a byte of a packed file
             raw("damaged, and sizes said behind", bent, "syntax");
