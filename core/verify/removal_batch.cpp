@@ -29,6 +29,7 @@ public:
           v_(second_across(axis)), i0_(tile_i * RayTile::side), j0_(tile_j * RayTile::side) {
         for (int ray = 0; ray < RayTile::side * RayTile::side; ++ray)
             void_above_material(ray);
+        find_all();
     }
 
     bool has_changed() const { return changed_; }
@@ -41,6 +42,7 @@ public:
         cut_ = false;
         low_ = float(item.box.lo[axis_] - middle_[axis_]);
         high_ = float(item.box.hi[axis_] - middle_[axis_]);
+        if (is_void(all_)) return touch_;
         const auto [ib, ie] = rays_within(item.box, u_, i0_);
         const auto [jb, je] = rays_within(item.box, v_, j0_);
         Vec3 p = middle_;
@@ -48,13 +50,14 @@ public:
         p[v_] = lattice_.origin[v_] + j0_ * lattice_.spacing[v_];
         const std::array<RowStrip, 2> strips{in_rays(swept.strips()[0], p), in_rays(swept.strips()[1], p)};
         for (int j = jb; j < je; ++j) {
-            if (is_row_void(j)) continue;
+            if (is_void(row(j))) continue;
             int first = ib, last = ie - 1;
             for (const RowStrip& strip : strips)
                 strip.narrow(j, first, last);
             p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
             if (first <= last) apply_to_row(item, swept, first, last, j, p);
         }
+        if (!all_.known) find_all();
         return touch_;
     }
 
@@ -100,21 +103,46 @@ private:
         return {std::min(a, b), std::max(a, b), -next / step, false};
     }
 
-    /// Whether the item's height holds no material in any ray of a row.
-    bool is_row_void(int j) const {
+    /// What is void in all of some rays.
+    struct Void {
+        float lo = -std::numeric_limits<float>::infinity(), hi = std::numeric_limits<float>::infinity();
+        bool known = false; ///< false: to be found anew
+    };
+    /// Whether the item's height holds no material in any of them.
+    bool is_void(const Void& common) const { return common.known && low_ >= common.lo && high_ <= common.hi; }
+    const Void& row(int j) {
+        Void& common = rows_[std::size_t(j)];
+        if (common.known) return common;
+        common = {};
         const auto start = std::size_t(RayTile::side * j);
-        int material = 0;
-        for (std::size_t i = start; i < start + RayTile::side; ++i)
-            material |= int(low_ < void_lo_[i]) | int(high_ > void_hi_[i]);
-        return material == 0;
+        for (std::size_t i = start; i < start + RayTile::side; ++i) {
+            common.lo = void_lo_[i] > common.lo ? void_lo_[i] : common.lo;
+            common.hi = void_hi_[i] < common.hi ? void_hi_[i] : common.hi;
+        }
+        common.known = true;
+        return common;
+    }
+    void find_all() {
+        all_ = {};
+        for (int j = 0; j < RayTile::side; ++j) {
+            const Void& common = row(j);
+            all_.lo = std::max(all_.lo, common.lo);
+            all_.hi = std::min(all_.hi, common.hi);
+        }
+        all_.known = true;
     }
 
     /// Rays `first` to `last` of row j; p is at the row's first one.
     void apply_to_row(const RemovalItem& item, const SweepRays& swept, int first, int last, int j, Vec3 p) {
         const int row_start = RayTile::side * j;
-        while (first <= last && is_void(row_start + first, low_, high_))
+        std::array<std::int32_t, RayTile::side> filled;
+        for (int i = 0; i < RayTile::side; ++i) {
+            const auto ray = std::size_t(row_start + i);
+            filled[std::size_t(i)] = int(low_ < void_lo_[ray]) | int(high_ > void_hi_[ray]);
+        }
+        while (first <= last && !filled[std::size_t(first)])
             ++first;
-        while (first <= last && is_void(row_start + last, low_, high_))
+        while (first <= last && !filled[std::size_t(last)])
             --last;
         if (first > last) return;
         Vec3 step = Vec3::Zero();
@@ -122,9 +150,10 @@ private:
         p[u_] = lattice_.origin[u_] + (i0_ + first) * lattice_.spacing[u_];
         SweepRow::Flags wanted{};
         for (int i = first; i <= last; ++i)
-            wanted[std::size_t(i - first)] = !is_void(row_start + i, low_, high_);
+            wanted[std::size_t(i - first)] = filled[std::size_t(i)];
         SweepRow met;
-        met.ask(swept, p, step, last - first + 1, low_, high_, wanted);
+        const auto start = std::size_t(row_start + first);
+        met.ask(swept, p, step, last - first + 1, low_, high_, wanted, &void_lo_[start], &void_hi_[start]);
         for (int i = first; i <= last; ++i) {
             const auto lane = std::size_t(i - first);
             if (!wanted[lane] || !(met.lo[lane] <= met.hi[lane])) continue;
@@ -172,6 +201,7 @@ private:
             }
         void_lo_[std::size_t(ray)] = below;
         void_hi_[std::size_t(ray)] = above;
+        rows_[std::size_t(ray / RayTile::side)].known = all_.known = false;
         return true;
     }
 
@@ -207,6 +237,8 @@ private:
     RemovalTouch touch_;
     /// Of each ray a stretch without material, the one last met.
     std::array<float, std::size_t(RayTile::side) * RayTile::side> void_lo_, void_hi_;
+    std::array<Void, RayTile::side> rows_; ///< of each row
+    Void all_;                             ///< of the tile
 };
 
 } // namespace

@@ -65,6 +65,7 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     const double noise = size * tolerance::sweep_roundings;
     set_cylinder(move, direction, noise);
     parallel_ = !(sine_ > tolerance::parallel_sine);
+    slow_ = u_.z() != 0 && (u_.x() != 0 || u_.y() != 0);
     if (parallel_) return;
     world_across_ = cross / sine_;
     world_out_ = world_along.cross(world_across_);
@@ -72,6 +73,9 @@ SweepRays::SweepRays(const TurnedBody& body, const StraightMove& move, const Vec
     out_ = frame_ * world_out_;
     build(-1, entry_);
     build(1, exit_);
+    for (const auto* chain : {&entry_, &exit_})
+        for (const Link& link : *chain)
+            slow_ |= link.kind == Link::Kind::torus;
     if (!exit_.empty()) {
         const double at = world_across_.dot(from_);
         strips_[0] = {world_across_, at + exit_.front().c0 - noise, at + exit_.back().c1 + noise};

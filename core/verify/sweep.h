@@ -153,6 +153,7 @@ private:
     Vec3 world_along_, world_across_, world_out_;
     double length_ = 0, sine_ = 0, u_along_ = 0;
     bool parallel_ = false; ///< lines and motion, or no motion
+    bool slow_ = false;     ///< some of what is asked cannot be done for a whole row at once
     std::array<Strip, 2> strips_;
     Hull hull_;
     std::vector<Link> entry_, exit_;
@@ -166,9 +167,11 @@ public:
     using Values = std::array<double, lanes>;
     using Flags = std::array<std::int64_t, lanes>; ///< 0 or not; as wide as the values
     /// Sets lo and hi of the `count` lines (p + i step) + t direction that are wanted, empty where lo > hi,
-    /// and of the others to anything. Those that have nothing between `low` and `high` may come back empty.
+    /// and of the others to anything. Those that have nothing between `low` and `high` may come back empty,
+    /// and so may those whose stretch between them surely lies in one that is not asked about: [known_lo,
+    /// known_hi] of each line, where they are given.
     void ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low, double high,
-             Flags wanted);
+             Flags wanted, const float* known_lo = nullptr, const float* known_hi = nullptr);
 
     Values lo, hi;
 
@@ -180,7 +183,6 @@ private:
                     const Flags& wanted);
     static void touch(const SweepRays& swept, double side, const Values& c, int count, const Flags& wanted,
                       Touches& found);
-    static bool is_slow(const SweepRays& swept);
 };
 
 /// Where the tool is at a share s of a motion, 0 at its start and 1 at its end.

@@ -6,6 +6,18 @@
 
 #include <algorithm>
 
+/// Compiled for vectors of four doubles as well; which of both is run is chosen when the program is loaded.
+/// The same operations in the same order, so the same numbers. Sanitizers look at the one for every
+/// processor.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)        \
+    && !defined(__SANITIZE_THREAD__)
+#define FACETMILL_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define FACETMILL_WIDE
+#endif
+/// So that what a function above calls is compiled with it.
+#define FACETMILL_WITHIN __attribute__((always_inline))
+
 namespace facetmill {
 
 namespace {
@@ -13,7 +25,8 @@ namespace {
 using RowValues = SweepRow::Values;
 
 /// Radii of a body of these sides at heights; below 0 where it has none.
-void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int count, RowValues& radius) {
+FACETMILL_WITHIN inline void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int count,
+                                      RowValues& radius) {
     for (int i = 0; i < count; ++i)
         radius[i] = -1;
     for (const ProfilePiece& s : sides) {
@@ -41,8 +54,8 @@ void radii_at(const std::vector<ProfilePiece>& sides, const RowValues& z, int co
 
 /// Where s, a piece of a profile that is not upright, has these radii: heights[i] for which `takes` is true.
 template <class Takes>
-void set_heights(const ProfilePiece& s, const RowValues& rho, int count, const Takes& takes,
-                 RowValues& heights) {
+FACETMILL_WITHIN inline void set_heights(const ProfilePiece& s, const RowValues& rho, int count,
+                                         const Takes& takes, RowValues& heights) {
     if (s.kind == ProfilePiece::Kind::line) {
         const double slope = (s.to.y() - s.from.y()) / (s.to.x() - s.from.x());
         for (int i = 0; i < count; ++i) {
@@ -62,8 +75,8 @@ void set_heights(const ProfilePiece& s, const RowValues& rho, int count, const T
 
 } // namespace
 
-void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count, const Vec3& u,
-                         const Flags& wanted) {
+FACETMILL_WIDE void SweepRow::set_along(const TurnedBody& body, const Vec3& p, const Vec3& step, int count,
+                                        const Vec3& u, const Flags& wanted) {
     if (u.x() == 0 && u.y() == 0) {
         RowValues rho{}, low{}, high{};
         for (int i = 0; i < count; ++i) {
@@ -128,8 +141,8 @@ struct SweepRow::Touches {
     RowValues y, l;
 };
 
-void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int count, const Flags& wanted,
-                     Touches& found) {
+FACETMILL_WIDE void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int count,
+                                    const Flags& wanted, Touches& found) {
     using Link = SweepRays::Link;
     const std::vector<Link>& chain = side < 0 ? swept.entry_ : swept.exit_;
     const bool grows = c[count - 1] >= c[0];
@@ -174,20 +187,10 @@ void SweepRow::touch(const SweepRays& swept, double side, const Values& c, int c
     }
 }
 
-/// Whether some of what is asked cannot be done for a whole row at once.
-bool SweepRow::is_slow(const SweepRays& swept) {
-    const auto is_torus = [](const SweepRays::Link& link) {
-        return link.kind == SweepRays::Link::Kind::torus;
-    };
-    const Vec3& u = swept.u_;
-    return (u.z() != 0 && (u.x() != 0 || u.y() != 0))
-           || std::any_of(swept.entry_.begin(), swept.entry_.end(), is_torus)
-           || std::any_of(swept.exit_.begin(), swept.exit_.end(), is_torus);
-}
-
-void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count, double low,
-                   double high, Flags wanted) {
-    if (is_slow(swept))
+FACETMILL_WIDE void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int count,
+                                  double low, double high, Flags wanted, const float* known_lo,
+                                  const float* known_hi) {
+    if (swept.slow_)
         for (int i = 0; i < count; ++i)
             wanted[i] = wanted[i] && !swept.misses(p + i * step, low, high);
     if (swept.parallel_) {
@@ -240,10 +243,15 @@ void SweepRow::ask(const SweepRays& swept, const Vec3& p, const Vec3& step, int 
         lf[i] = leave < 0 ? 1.0 : 0.0;
         ll[i] = leave > length ? 1.0 : 0.0;
     }
+    if (known_lo)
+        for (int i = 0; i < count; ++i) {
+            const double a = from_at[i] > low ? from_at[i] : low, b = to_at[i] < high ? to_at[i] : high;
+            wanted[i] &= -std::int64_t((a < known_lo[i]) | (b > known_hi[i]));
+        }
     lo = from;
     hi = to;
     // There the body at the nearer end instead.
-    const auto take = [&](bool is_last, const double* enters, const double* leaves) {
+    const auto take = [&](bool is_last, const double* enters, const double* leaves) FACETMILL_WITHIN {
         Flags either{};
         std::int64_t any = 0;
         for (int i = 0; i < count; ++i)
