@@ -23,6 +23,13 @@ auto first_behind(const std::vector<LinePoint>& run, double u) {
     return std::upper_bound(run.begin(), run.end(), u, [](double s, const LinePoint& q) { return s < q.s; });
 }
 
+/// The piece of a run at u, or the nearest.
+std::size_t piece_at(const std::vector<LinePoint>& run, double u) {
+    if (run.size() < 2) return 0;
+    const auto after = first_behind(run, u);
+    return after == run.begin() ? 0 : std::min(std::size_t(after - run.begin()) - 1, run.size() - 2);
+}
+
 } // namespace
 
 CuspField::CuspField(const StepOverInput& input)
@@ -107,17 +114,15 @@ double CuspField::piece_entry(const DriveLine& line, const std::vector<LinePoint
     return std::min(least, min_where_finite(f, 0, 1, f0 < f2));
 }
 
-double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
-                            const Vec3& n) const {
+double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, double u,
+                            const Vec3& p, const Vec3& n) const {
     const double limit = 2 * in_.cover->radius();
     const auto at_point = [&](const LinePoint& q) {
         return in_.cover->ray_entry(p, n, in_.frame.point(q.s, line.v, q.z), limit);
     };
     const auto point = [&](std::size_t i) { return in_.frame.point(run[i].s, line.v, run[i].z); };
     if (run.size() == 1) return at_point(run[0]);
-    const auto after = first_behind(run, u);
     const std::size_t last = run.size() - 2;
-    std::size_t k = after == run.begin() ? 0 : std::min(std::size_t(after - run.begin()) - 1, last);
     Ends ends;
     double here = piece_entry(line, run, k, p, n, ends);
     if (here == infinity) {
@@ -156,19 +161,28 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
     return here;
 }
 
-double CuspField::entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
-    if (!line) return infinity;
+CuspField::Near CuspField::near(const DriveLine* line, double u) const {
+    Near near{line, u};
+    if (!line) return near;
     const double limit = 2 * in_.cover->radius();
-    double best = infinity;
-    for (const auto& run : line->runs) {
-        if (run.empty() || run.front().s > u + limit || run.back().s < u - limit) continue;
-        best = std::min(best, run_entry(*line, run, u, p, n));
-    }
-    return std::max(best, 0.0);
+    const auto& runs = line->runs;
+    while (near.begin < runs.size() && runs[near.begin].back().s < u - limit)
+        ++near.begin;
+    near.end = near.begin;
+    while (near.end < runs.size() && runs[near.end].front().s <= u + limit)
+        ++near.end;
+    if (near.begin < near.end) near.piece = piece_at(runs[near.begin], u);
+    return near;
 }
 
-double CuspField::left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const {
-    return std::min(entry(a, u, s.point, s.normal), entry(b, u, s.point, s.normal));
+double CuspField::entry(const Near& near, const Vec3& p, const Vec3& n) const {
+    double best = infinity;
+    for (std::size_t i = near.begin; i < near.end; ++i) {
+        const auto& run = near.line->runs[i];
+        const std::size_t piece = i == near.begin ? near.piece : piece_at(run, near.u);
+        best = std::min(best, run_entry(*near.line, run, piece, near.u, p, n));
+    }
+    return std::max(best, 0.0);
 }
 
 double CuspField::height_on(const DriveLine& line, double u) const {

@@ -48,11 +48,20 @@ public:
     Sample sample(double u, double v, LiftHint& hint) const;
     /// At many (u, v) that are close together.
     std::vector<Sample> samples(const std::vector<Vec2>& places, const Progress& progress) const;
-    /// Height along n over p, near u, that a line leaves; infinite without a line or where it does not come
-    /// by.
-    double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const;
+    /// A line near a place along it, looked up once for all that is asked there.
+    struct Near {
+        const DriveLine* line = nullptr;
+        double u = 0;
+        std::size_t begin = 0, end = 0; ///< runs that come near enough
+        std::size_t piece = 0;          ///< of the first of them, at u
+    };
+    Near near(const DriveLine* line, double u) const;
+    /// Height along n over p that a line leaves; infinite without a line or where it does not come by.
+    double entry(const Near& near, const Vec3& p, const Vec3& n) const;
     /// Height that two lines leave over a sample.
-    double left_at(const DriveLine* a, const DriveLine* b, double u, const Sample& s) const;
+    double left_at(const Near& a, const Near& b, const Sample& s) const {
+        return std::min(entry(a, s.point, s.normal), entry(b, s.point, s.normal));
+    }
     /// Height of a line's tip at u.
     double height_on(const DriveLine& line, double u) const;
     /// Height of the part, seen from above.
@@ -78,8 +87,9 @@ private:
     /// True where the entry surely does not become less from one tip to another; `entry` is that at the
     /// first.
     bool rises(const Vec3& from, const Vec3& to, const Vec3& p, const Vec3& n, double entry) const;
-    double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, double u, const Vec3& p,
-                     const Vec3& n) const;
+    /// The smallest along a run, on the piece k or where it leads to.
+    double run_entry(const DriveLine& line, const std::vector<LinePoint>& run, std::size_t k, double u,
+                     const Vec3& p, const Vec3& n) const;
 
     StepOverInput in_;
     LiftField field_;

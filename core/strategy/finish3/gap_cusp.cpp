@@ -125,6 +125,8 @@ std::vector<GapCusp::Found> GapCusp::look(std::size_t begin, std::size_t end,
         Found& found = columns[c - begin];
         found.u = columns_[c].u;
         found.s = block.at(c);
+        found.a = field_.near(a_, found.u);
+        found.b = field_.near(b_, found.u);
         look_at_rows(found);
     }
     look_between(pairs(columns, progress), columns, progress);
@@ -139,12 +141,11 @@ std::vector<GapCusp::Found> GapCusp::look(std::size_t begin, std::size_t end,
 }
 
 void GapCusp::look_at_rows(Found& found) const {
-    const double u = found.u;
     for (int i = 0; i < rows; ++i) {
         const Sample& s = found.s[i];
         if (!s.valid) continue;
-        const double ta = entry(a_, u, s.point, s.normal);
-        const double tb = entry(b_, u, s.point, s.normal);
+        const double ta = field_.entry(found.a, s.point, s.normal);
+        const double tb = field_.entry(found.b, s.point, s.normal);
         found.worst = std::max(found.worst, std::min(ta, tb));
         found.x[i] = std::sqrt(ta);
         found.y[i] = std::sqrt(tb);
@@ -209,7 +210,7 @@ void GapCusp::look_between(std::vector<Pair> pairs, std::vector<Found>& columns,
             Found& found = columns[pair.found];
             if (found.worst > in_.cusp || !((pair.s1.point - pair.s0.point).norm() > pair.gap)) continue;
             if (pair.depth == 0) {
-                found.worst = std::max(found.worst, at_jump(pair, found.u));
+                found.worst = std::max(found.worst, at_jump(pair, found));
                 continue;
             }
             open.push_back(pair);
@@ -222,7 +223,7 @@ void GapCusp::look_between(std::vector<Pair> pairs, std::vector<Found>& columns,
             const Sample& s = middles[i];
             if (!s.valid) continue;
             Found& found = columns[pair.found];
-            found.worst = std::max(found.worst, left_at(found.u, s));
+            found.worst = std::max(found.worst, field_.left_at(found.a, found.b, s));
             if (found.worst > in_.cusp) continue;
             const double v = places[i].y();
             pairs.push_back({pair.found, pair.v0, v, pair.s0, s, pair.gap, pair.depth - 1});
@@ -231,14 +232,17 @@ void GapCusp::look_between(std::vector<Pair> pairs, std::vector<Found>& columns,
     }
 }
 
-double GapCusp::at_jump(const Pair& pair, double u) const {
+double GapCusp::at_jump(const Pair& pair, const Found& found) const {
     const Sample &s0 = pair.s0, &s1 = pair.s1;
     // Half-way: where both cutters leave the same, as far as the two places tell.
-    const double a0 = entry(a_, u, s0.point, s0.normal), a1 = entry(a_, u, s1.point, s1.normal);
-    const double b0 = entry(b_, u, s0.point, s0.normal), b1 = entry(b_, u, s1.point, s1.normal);
+    const auto left = [&](const CuspField::Near& line, const Sample& s) {
+        return field_.entry(line, s.point, s.normal);
+    };
+    const double a0 = left(found.a, s0), a1 = left(found.a, s1), b0 = left(found.b, s0),
+                 b1 = left(found.b, s1);
     const double d0 = b0 - a0, d1 = a1 - b1;
     const double between = d0 > 0 && d1 > 0 && d0 + d1 < infinity ? a0 + (a1 - a0) * d0 / (d0 + d1) : 0;
-    return field_.sharp() ? between : std::max(between, hollow(s0, s1, u, 0.5 * (pair.v0 + pair.v1)));
+    return field_.sharp() ? between : std::max(between, hollow(s0, s1, found, 0.5 * (pair.v0 + pair.v1)));
 }
 
 double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
@@ -331,21 +335,21 @@ double GapCusp::wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& h
     return std::max(worst, left_at(high.x(), top));
 }
 
-double GapCusp::hollow(const Sample& s0, const Sample& s1, double u, double v) const {
+double GapCusp::hollow(const Sample& s0, const Sample& s1, const Found& found, double v) const {
     const Vec3 apart = s1.point - s0.point;
     if (!((s1.normal - s0.normal).dot(apart) < 0)) return 0; // a ridge
-    const Vec2 xy = in_.frame.xy(u, v);
+    const Vec2 xy = in_.frame.xy(found.u, v);
     const Vec3 seat(xy.x(), xy.y(), std::max(s0.tip_z, s1.tip_z));
     // A hollow that runs across the columns lies elsewhere half-way to the next.
     const Vec3 bottom = s0.normal.cross(s1.normal);
     const double du = std::abs(bottom.head<2>().dot(in_.frame.along)),
                  dv = std::abs(bottom.head<2>().dot(in_.frame.across));
     const double beside = du > 0 ? field_.spacing() * dv / du : infinity;
-    return std::max(hollow_flank(s0, apart, seat, u, v, beside),
-                    hollow_flank(s1, -apart, seat, u, v, beside));
+    return std::max(hollow_flank(s0, apart, seat, found, v, beside),
+                    hollow_flank(s1, -apart, seat, found, v, beside));
 }
 
-double GapCusp::hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, double u, double v,
+double GapCusp::hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, const Found& found, double v,
                              double beside) const {
     inward -= inward.dot(s.normal) * s.normal;
     const double length = inward.norm();
@@ -365,7 +369,7 @@ double GapCusp::hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, dou
         const double z = field_.surface_z(p.x(), p.y()) + in_.allowance / s.normal.z();
         if (z > p.z()) p.z() = z;
     }
-    const double by_a = entry(a_, u, p, s.normal), by_b = entry(b_, u, p, s.normal);
+    const double by_a = field_.entry(found.a, p, s.normal), by_b = field_.entry(found.b, p, s.normal);
     const double worst = std::min(by_a, by_b);
     if (!a_ || !b_ || !(by_a < infinity && by_b < infinity)) return worst;
     // What a line leaves grows with its distance from the place, from what the cutter there leaves.

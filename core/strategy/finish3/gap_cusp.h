@@ -37,7 +37,8 @@ private:
     /// What is found at a column: contacts, and roots of what the lines leave there.
     struct Found {
         double u = 0, worst = 0;
-        bool is_cut = false; ///< false: a place is not cut at all
+        CuspField::Near a, b; ///< the lines here
+        bool is_cut = false;  ///< false: a place is not cut at all
         std::array<Sample, rows> s;
         std::array<double, rows> x{}, y{};
         /// The contact stands still while the cutter rolls over a convex edge.
@@ -74,19 +75,18 @@ private:
     void look_at_wall_ahead(Found& found, std::size_t column, Block& block) const;
 
     /// What stays where the contact jumps from one to the other of two tips that are close together.
-    double at_jump(const Pair& pair, double u) const;
-    /// What stays on both flanks of a hollow, at u and v, beside the contacts of the cutter that touches
-    /// both: no tip touches there, but it would leave less.
-    double hollow(const Sample& s0, const Sample& s1, double u, double v) const;
+    double at_jump(const Pair& pair, const Found& found) const;
+    /// What stays on both flanks of a hollow, at a column and v, beside the contacts of the cutter that
+    /// touches both: no tip touches there, but it would leave less.
+    double hollow(const Sample& s0, const Sample& s1, const Found& found, double v) const;
     /// What stays on a flank of a hollow, the contact on which is `s`; `inward` points to the other contact.
-    double hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, double u, double v,
+    double hollow_flank(const Sample& s, Vec3 inward, const Vec3& seat, const Found& found, double v,
                         double beside) const;
     double wall(Vec2 from, Vec2 to, double z_from, double z_to, LiftHint& hint) const;
 
-    double entry(const DriveLine* line, double u, const Vec3& p, const Vec3& n) const {
-        return field_.entry(line, u, p, n);
+    double left_at(double u, const Sample& s) const {
+        return field_.left_at(field_.near(a_, u), field_.near(b_, u), s);
     }
-    double left_at(double u, const Sample& s) const { return field_.left_at(a_, b_, u, s); }
 
     const CuspField& field_;
     const StepOverInput& in_;

@@ -6,6 +6,9 @@ namespace facetmill {
 
 namespace {
 
+/// So near to the rim of a ball, in radii, its profile is looked at in full.
+constexpr double clear_of_ends = 1e-3;
+
 double angle_of(const ProfilePiece& piece, const Vec2& at) {
     return std::atan2(at.y() - piece.center.y(), at.x() - piece.center.x());
 }
@@ -235,14 +238,6 @@ Vec3 CutterCover::tip_offset(const Vec3& n) const {
 
 double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const {
     const Vec3 d = p - tip;
-    const double a = n.x() * n.x() + n.y() * n.y();
-    const double b = d.x() * n.x() + d.y() * n.y();
-    const double c = d.x() * d.x() + d.y() * d.y() - radius_ * radius_;
-    if (a < tolerance::upright_sine_square) { // straight up
-        if (c > 0) return infinity;
-        const double t = profile_.height_at(std::sqrt(c + radius_ * radius_)) - d.z();
-        return t <= limit ? t : infinity;
-    }
     double on_ball = infinity;
     if (ball_) { // mostly its lower half is met
         const Vec3 e(d.x(), d.y(), d.z() - radius_);
@@ -250,6 +245,14 @@ double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, dou
         if (q >= 0) on_ball = -f - std::sqrt(q);
         if (!(on_ball <= limit)) on_ball = infinity;
         if (on_ball < infinity && e.z() + on_ball * n.z() < 0) return on_ball;
+    }
+    const double a = n.x() * n.x() + n.y() * n.y();
+    const double b = d.x() * n.x() + d.y() * n.y();
+    const double c = d.x() * d.x() + d.y() * d.y() - radius_ * radius_;
+    if (a < tolerance::upright_sine_square) { // straight up
+        if (c > 0) return infinity;
+        const double t = profile_.height_at(std::sqrt(c + radius_ * radius_)) - d.z();
+        return t <= limit ? t : infinity;
     }
     // The line is within the radius of the axis for t in [enter, leave].
     const double disc = b * b - a * c;
@@ -284,6 +287,12 @@ double CutterCover::distance_from_profile(const Vec3& rel) const {
 }
 
 std::optional<Vec3> CutterCover::contact_normal(const Vec3& rel) const {
+    if (ball_ && rel.z() < (1 - clear_of_ends) * radius_) {
+        // Towards the middle, wherever the lower half is smooth: but for its rim, and within it.
+        const Vec3 inward(-rel.x(), -rel.y(), radius_ - rel.z());
+        const double far = inward.norm();
+        if (far > radius_ - tolerance::contact_distance) return inward / far;
+    }
     const double rho = std::hypot(rel.x(), rel.y());
     const Vec2 q(rho, rel.z());
     Near best;
