@@ -25,7 +25,6 @@
 #include "core/strategy/lathe/lathe.h"
 #include "core/strategy/plan/stock_bottom.h"
 #include "core/strategy/surface/region_edit.h"
-#include "core/strategy/waterline/waterline.h"
 
 #include <chrono>
 #include <optional>
@@ -506,7 +505,7 @@ StrategyResult plan_bounded(const Operation& operation, PlanContext context, con
     }
     StrategyResult path =
         plan_beside_fixtures(operation, context, view, bounds.off, progress.part(0.02, 0.95));
-    if (operation.linking() == Linking::over_stock || keeps_itself_within(operation)) return path;
+    if (operation.linking() == Linking::over_stock) return path;
     keep_within(path, context, operation.common(), *bounds.within, progress.part(0.95, 1));
     for_rework(path, context, [&](StrategyResult& rework, const PlanContext& own) {
         KeptWithin within = *bounds.within;

@@ -34,6 +34,11 @@ public:
     double spacing() const { return look_share * radius_; }
 
     PassPieces divide(const Pass& pass, const Progress& progress) const {
+        if (pass.layer >= 0) { // a level: planned within it
+            PassPieces whole;
+            whole.kept.push_back(pass);
+            return whole;
+        }
         const std::vector<double> arc = arc_lengths(pass);
         std::vector<Interval> ranges = free_ranges(
             pass, arc, spacing(), [&](const Vec3& tip) { return (*this)(tip); }, progress);
@@ -186,7 +191,8 @@ void keep_within(StrategyResult& path, const PlanContext& context, const Operati
     settle_pieces(path, context, common, contact ? &*contact : nullptr, progress.part(0.7, 1));
     if (!upright) return;
     for (std::size_t i = 1; i < path.passes.size(); ++i)
-        if (!upright->link(path.passes[i - 1].cl.back().tip, path.passes[i].cl.front().tip))
+        if (!(path.passes[i].layer >= 0 && path.passes[i - 1].layer >= 0)
+            && !upright->link(path.passes[i - 1].cl.back().tip, path.passes[i].cl.front().tip))
             path.passes[i].from_above = true;
 }
 

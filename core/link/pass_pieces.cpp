@@ -5,6 +5,7 @@
 #include "core/strategy/plan/pass_order.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace facetmill {
 
@@ -93,7 +94,13 @@ PassPieces pieces_of_locations(const Pass& pass, const std::function<bool(std::s
 void settle_pieces(StrategyResult& path, const PlanContext& context, const OperationCommon& common,
                    const UprightContact* upright, const Progress& progress) {
     const double top = std::max(context.kept_off_box().hi.z(), context.stock_box.hi.z()) + common.clearance;
-    order_by_travel(path.passes, false, top, progress.part(0, 0.3));
+    // Levels of an upright tool stay in their order, before what has none.
+    const auto free = std::stable_partition(path.passes.begin(), path.passes.end(),
+                                            [&](const Pass& pass) { return upright && pass.layer >= 0; });
+    std::vector<Pass> in_any_order(std::make_move_iterator(free), std::make_move_iterator(path.passes.end()));
+    path.passes.erase(free, path.passes.end());
+    order_by_travel(in_any_order, false, top, progress.part(0, 0.3));
+    std::move(in_any_order.begin(), in_any_order.end(), std::back_inserter(path.passes));
     if (!upright) return;
     const auto clear = keep_clear_of_left_stock(
         path.passes, context, upright->profile().max_radius(), common.tolerance,

@@ -3,9 +3,8 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish_warnings.h"
-#include "core/strategy/finish3/left_out.h"
-#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/partial_lines.h"
+#include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/finish3/pass_maker.h"
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/finish3/travel_choice.h"
@@ -15,7 +14,6 @@
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/surface/slice.h"
-#include "core/strategy/surface/stock_before.h"
 #include "core/strategy/surface/travel_direction.h"
 
 #include <atomic>
@@ -28,11 +26,6 @@ namespace {
 const OperationRegistration registration("finish3", "Finish, 3-axis",
                                          [] { return std::make_unique<Finish3>(); });
 
-/// The size of the cells of the stock, in radii of the cutter. What stands only between the centres of cells
-/// is not seen: they are small beside the cutter.
-constexpr double rest_cell_share = 0.04;
-/// The same where only the raw material is asked.
-constexpr double raw_cell_share = 0.1;
 /// Drive planes of a plan, at most: more come from a part in another unit.
 constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
@@ -52,7 +45,8 @@ public:
     double direction() { return travel_direction(settings_.direction, context_, still(0)); }
     /// What the passes of another direction would be; none where nothing faces up in it.
     std::optional<TravelEstimate> estimate(double direction);
-    StrategyResult run(double direction);
+    /// `judged`: with what stays uncut, and all that is said of it.
+    PlannedPasses run(double direction, bool judged);
     double travel(const StrategyResult& plan) const { return travel_length(plan.passes, cover_.radius()); }
     /// Share of the surface that the passes leave uncut where the cutter could go.
     double passed_by() const { return uncut_.area > 0 ? uncut_.passed_by.area / uncut_.area : 0; }
@@ -73,10 +67,6 @@ private:
     void check_size(const StepOver& stepover) const;
     void check_planes(std::size_t planes) const;
     void check_uncut(const Progress& progress);
-    void leave_out_held_up(const Progress& progress);
-    void leave_out_outside(const Progress& progress);
-    void leave_out_beside_stock(const Progress& progress);
-    void leave_out_cut(const Progress& progress);
     void order_passes(const Progress& progress);
     ContactAt contact_at() const {
         return [this](const Vec3& tip) { return maker_->contact(tip); };
@@ -99,10 +89,9 @@ private:
     LineTolerance fine_;
     std::optional<StepOver> stepover_;
     std::optional<PassMaker> maker_;
+    PassFilter filter_;
     StrategyResult result_;
     UncutReport uncut_;
-    HeldOut held_;
-    ClearOfStock beside_stock_;
     int unsatisfied_ = 0, lines_ = 0;
 };
 
@@ -111,7 +100,10 @@ Planner::Planner(const Finish3Settings& settings, const PlanContext& context, co
       cusp_allowed_(cusp_budget(settings, context)),
       allowance_(settings.allowance + context.tessellation_tolerance[1]),
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
-      cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_) {
+      cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_),
+      filter_(settings, context, profile_,
+              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
+              contact_at()) {
     // What the tip path may lack of the lift and exceed it, together, is the chord tolerance: half of each
     // for the points looked at, half for leaving points out.
     fine_.below = fine_.above = 0.5 * chord_;
@@ -142,7 +134,7 @@ std::optional<TravelEstimate> Planner::estimate(double direction) {
     return estimate_travel(input, still(0));
 }
 
-StrategyResult Planner::run(double direction) {
+PlannedPasses Planner::run(double direction, bool judged) {
     frame_ = DriveFrame(direction);
     result_.direction = frame_.angle;
     domain_.emplace(*context_.part, frame_, cover_, allowance_, still(placed(0)));
@@ -167,18 +159,21 @@ StrategyResult Planner::run(double direction) {
     // Moves may run above the exact path by the chord tolerance.
     result_.cusp_max += chord_;
     result_.chord_tolerance = chord_;
-    leave_out_held_up(still(placed(1)));
-    check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
-    if (settings_.rest_only)
-        leave_out_cut(still(1));
-    else
-        leave_out_outside(still(1));
+    filter_.leave_out_held_up(result_.passes, still(placed(1)));
+    if (judged) check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
+    filter_.leave_out_air(result_.passes, still(1));
     order_passes(still(1));
-    leave_out_beside_stock(still(1));
-    const FinishWarnings warnings{settings_,     context_,      uncut_,       held_,
-                                  beside_stock_, cusp_allowed_, unsatisfied_, lines_};
-    add_finish_warnings(warnings, result_);
-    return std::move(result_);
+    // With only rest asked for, what is not passed was mostly cut before.
+    if (filter_.leave_out_beside_stock(result_.passes, still(1)) && judged && !settings_.rest_only)
+        check_uncut(progress_.part(1, 1));
+    if (judged) {
+        const FinishWarnings warnings{
+            settings_,     context_,     uncut_, filter_.held(), filter_.beside_stock(),
+            cusp_allowed_, unsatisfied_, lines_};
+        add_finish_warnings(warnings, result_);
+    }
+    return {std::move(result_),    filter_.held(), filter_.beside_stock(),
+            domain_->lowest_tip(), unsatisfied_,   lines_};
 }
 
 /// What would take days is most likely a part in another unit.
@@ -339,62 +334,8 @@ void Planner::check_uncut(const Progress& progress) {
     input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
     input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
     input.passes = result_.passes;
-    input.left_out = held_.left;
+    input.left_out = filter_.held().left;
     uncut_ = find_uncut(input, progress);
-}
-
-void Planner::leave_out_held_up(const Progress& progress) {
-    const HolderReach bodies(context_.contact, context_.tool, allowance_ + settings_.holder_clearance,
-                             chord_);
-    if (bodies.empty()) return;
-    held_ = leave_out_held(result_.passes, bodies, shortest_piece * cover_.radius(), contact_at(), progress);
-    if (held_.kept.empty()) refuse_held(settings_.name, held_, context_);
-    result_.passes = std::move(held_.kept);
-}
-
-/// What passes the raw material by. Where it ends at the part's own height nothing is to be cut, but asked
-/// for.
-void Planner::leave_out_outside(const Progress& progress) {
-    const Box3& box = context_.stock_box;
-    if (box.empty()) return;
-    if (context_.stock.kind == StockSolid::Kind::box) {
-        Box3 tips;
-        for (const Pass& p : result_.passes)
-            for (const CutterLocation& c : p.cl)
-                tips.add(c.tip);
-        const double r = cover_.radius();
-        if ((tips.lo.head<2>().array() >= box.lo.head<2>().array() - r).all()
-            && (tips.hi.head<2>().array() <= box.hi.head<2>().array() + r).all()
-            && tips.hi.z() <= box.hi.z() + settings_.tolerance)
-            return;
-    }
-    PlanContext raw = context_;
-    raw.earlier.clear();
-    const StockField field = stock_before(raw, raw_cell_share * cover_.radius(), progress);
-    result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), -settings_.tolerance,
-                                   cover_.radius(), contact_at(), progress);
-    if (result_.passes.empty()) refuse_beside_raw(settings_.name);
-}
-
-/// Keeps what takes away more than the tolerance somewhere.
-void Planner::leave_out_cut(const Progress& progress) {
-    const StockField field = stock_before(context_, rest_cell_share * cover_.radius(), progress);
-    result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), cusp_allowed_,
-                                   cover_.radius(), contact_at(), progress);
-    if (result_.passes.empty()) refuse_without_rest(settings_.name);
-}
-
-/// Where shank or holder would come into what stands above the flutes. Follows the passes in the order in
-/// which they are cut.
-void Planner::leave_out_beside_stock(const Progress& progress) {
-    auto clear = keep_clear_of_left_stock(result_.passes, context_, cover_.radius(), settings_.tolerance,
-                                          contact_at(), progress);
-    if (!clear) return;
-    beside_stock_ = std::move(*clear);
-    if (result_.passes.empty()) refuse_beside_stock(settings_.name, beside_stock_, context_);
-    if (beside_stock_.left.empty() || settings_.rest_only) return;
-    held_.left.insert(held_.left.end(), beside_stock_.left.begin(), beside_stock_.left.end());
-    check_uncut(progress);
 }
 
 /// Pieces that lie side by side one after another, instead of every plane from border to border.
@@ -407,6 +348,42 @@ void Planner::order_passes(const Progress& progress) {
 
 std::string direction_text(double angle) {
     return angle == 0 ? "x" : "y";
+}
+
+/// In the direction asked for or, where that is "auto", in the better of two.
+PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& context, bool judged,
+                           const Progress& progress) {
+    const bool choose = settings.direction.is("auto") && !settings.stepover.is_number();
+    // Mostly there is no second time.
+    const Progress whole = progress.part(0, choose ? 0.95 : 1), again = progress.part(0.95, 1);
+    Planner planner(settings, context, whole);
+    const double first = planner.direction();
+    PlannedPasses best = planner.run(first, judged);
+    if (!choose) return best;
+    const double second = first == 0 ? 0.5 * pi : 0;
+    Planner turned(settings, context, again);
+    const bool leaves_much = planner.passed_by() > much_passed_by;
+    const double length = planner.travel(best.path);
+    const std::optional<TravelEstimate> expected = turned.estimate(second);
+    if (!expected || !(leaves_much || expected->cost() < less_expected * length)) {
+        progress.set(1);
+        return best;
+    }
+    PlannedPasses other = turned.run(second, judged);
+    const bool leaves_less = leaves_much && turned.passed_by() < better_passed_by * planner.passed_by(),
+               shorter = turned.passed_by() <= planner.passed_by() + much_passed_by
+                         && turned.travel(other.path) < less_travel * length;
+    const PlanText text{context.unit, context.to_setup};
+    const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
+        return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
+               + (by.passed_by() > 0 ? ", " + share_text(by.passed_by(), 1)
+                                           + " of the surface uncut where the cutter could go"
+                                     : std::string());
+    };
+    std::string reason = told(first, best.path, planner) + "; " + told(second, other.path, turned);
+    if (leaves_less || shorter) best = std::move(other);
+    best.path.direction_reason = std::move(reason);
+    return best;
 }
 
 } // namespace
@@ -449,37 +426,13 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
 
 StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    const bool choose = settings_.direction.is("auto") && !settings_.stepover.is_number();
-    // Mostly there is no second time.
-    const Progress whole = progress.part(0, choose ? 0.95 : 1), again = progress.part(0.95, 1);
-    Planner planner(settings_, context, whole);
-    const double first = planner.direction();
-    StrategyResult best = planner.run(first);
-    if (!choose) return best;
-    const double second = first == 0 ? 0.5 * pi : 0;
-    Planner turned(settings_, context, again);
-    const bool leaves_much = planner.passed_by() > much_passed_by;
-    const double length = planner.travel(best);
-    const std::optional<TravelEstimate> expected = turned.estimate(second);
-    if (!expected || !(leaves_much || expected->cost() < less_expected * length)) {
-        progress.set(1);
-        return best;
-    }
-    StrategyResult other = turned.run(second);
-    const bool leaves_less = leaves_much && turned.passed_by() < better_passed_by * planner.passed_by(),
-               shorter = turned.passed_by() <= planner.passed_by() + much_passed_by
-                         && turned.travel(other) < less_travel * length;
-    const PlanText text{context.unit, context.to_setup};
-    const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
-        return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
-               + (by.passed_by() > 0 ? ", " + share_text(by.passed_by(), 1)
-                                           + " of the surface uncut where the cutter could go"
-                                     : std::string());
-    };
-    std::string reason = told(first, best, planner) + "; " + told(second, other, turned);
-    if (leaves_less || shorter) best = std::move(other);
-    best.direction_reason = std::move(reason);
-    return best;
+    return planned_best(settings_, context, true, progress).path;
+}
+
+PlannedPasses finish3_passes(const Finish3Settings& settings, const PlanContext& context,
+                             const Progress& progress) {
+    check_plannable(context, settings);
+    return planned_best(settings, context, false, progress);
 }
 
 } // namespace facetmill

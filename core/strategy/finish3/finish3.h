@@ -31,6 +31,7 @@
 // the whole part, less what would be air.
 #pragma once
 
+#include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/plan/operation.h"
 
 namespace facetmill {
@@ -77,5 +78,10 @@ public:
     /// 100 000 drive planes.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
+
+/// The passes of such a plan as a part of another operation's, which asks itself what stays uncut. Throws
+/// what Finish3::plan does.
+PlannedPasses finish3_passes(const Finish3Settings& settings, const PlanContext& context,
+                             const Progress& progress);
 
 } // namespace facetmill

@@ -47,6 +47,18 @@ std::string covered_warning(const UncutPlaces& uncut, double area, const PlanTex
            + ", and is not cut: turn the part for another operation";
 }
 
+std::string below_warning(double below, double area) {
+    return share_text(below, area)
+           + " of the surface would only be cut by a tip below the lowest level: allow it by "
+             "'Below the bottom', where nothing holds the stock there";
+}
+
+std::string held_up_warning(const HeldOut& held, const PlanText& text) {
+    return "the tool is short: shank or holder would come into the part, so "
+           + share_text(held.left_length, held.length) + " of the passes are left out: a tool that is "
+           + text(std::max(held.lack.shank, held.lack.holder)) + " longer would reach it";
+}
+
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
     const PlanText text{w.context.unit, w.context.to_setup};
     auto& warnings = result.warnings;

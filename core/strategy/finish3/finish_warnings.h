@@ -25,6 +25,11 @@ std::string surface_share(const UncutPlaces& uncut, double area);
 std::string hollows_warning(const UncutPlaces& uncut, double area, const PlanText& text);
 std::string covered_warning(const UncutPlaces& uncut, double area, const PlanText& text);
 
+/// What is said of surface that only a tip below the lowest level would cut.
+std::string below_warning(double below, double area);
+/// What is said of passes that shank or holder keep from the part.
+std::string held_up_warning(const HeldOut& held, const PlanText& text);
+
 /// Adds the warnings, and sets the largest cusp to what was measured.
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result);
 

@@ -58,6 +58,7 @@ std::vector<Pass> pieces_of(const Pass& pass, std::span<const double> arc, std::
         Pass part;
         part.drive = pass.drive;
         part.offset = pass.offset;
+        part.layer = pass.layer;
         const auto add_end = [&](double at) {
             const Vec3 tip = place_on(pass, arc, at);
             part.cl.push_back({tip, pass.cl.front().axis});

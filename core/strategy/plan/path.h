@@ -24,7 +24,7 @@ struct Pass {
     double offset = 0; ///< its distance from the origin along the step-over direction
     std::vector<CutterContact> cc;
     std::vector<CutterLocation> cl;
-    int layer = -1; ///< number of the layer from the top; roughing only
+    int layer = -1; ///< number of the layer or level from the top, else -1
     /// The descent into the material, a ramp or a helix that ends at the first CL; roughing only. Nothing
     /// stands above its first location or, where there is no entry, above the first CL.
     std::vector<CutterLocation> entry;

@@ -10,6 +10,8 @@ namespace {
 /// Pieces are so long at most, places near a hint are looked for so far from it at first, tiles are so wide;
 /// in radii of the cutter.
 constexpr double longest_piece = 0.2, first_look = 0.25, tile_width = 0.5;
+/// Each leaves two thirds of a piece that slopes.
+constexpr int slope_rounds = 12;
 
 } // namespace
 
@@ -42,8 +44,8 @@ std::pair<long, long> LevelSweep::tile(const Vec2& p) const {
             long(std::floor(p.y() / (tile_width * radius_)))};
 }
 
-/// How low the cutter comes over q: by the nearest place seen from above, its ends, and between these.
-double LevelSweep::over(const Piece& piece, const Vec3& q) const {
+/// How low the cutter comes over q.
+double LevelSweep::over(const Piece& piece, const Vec3& q, double enough) const {
     const Vec2 d = (piece.b - piece.a).head<2>(), to = (q - piece.a).head<2>();
     const double square = d.squaredNorm(), t = square > 0 ? std::clamp(to.dot(d) / square, 0.0, 1.0) : 0.0;
     const auto at = [&](double s) {
@@ -51,14 +53,26 @@ double LevelSweep::over(const Piece& piece, const Vec3& q) const {
         const double rho = (q - tip).head<2>().norm();
         return rho <= radius_ ? tip.z() + profile_.height_at(rho) : infinity;
     };
-    if (piece.a.z() == piece.b.z()) return at(t);
-    return std::min({at(t), at(0), at(1)});
+    const double near = at(t);
+    if (piece.a.z() == piece.b.z() || near == infinity) return near;
+    // Height and distance are convex along the piece, and so is their sum for a convex cutter: it is least
+    // between the nearest place and the lower end.
+    double first = t, last = piece.a.z() < piece.b.z() ? 0.0 : 1.0;
+    if (near - std::abs(piece.b.z() - piece.a.z()) * std::abs(last - first) >= enough) return near;
+    for (int round = 0; round < slope_rounds; ++round) {
+        const double low = first + (last - first) / 3, high = last - (last - first) / 3;
+        if (at(low) <= at(high))
+            last = high;
+        else
+            first = low;
+    }
+    return std::min(near, at(0.5 * (first + last)));
 }
 
 double LevelSweep::lowest(const Vec3& q, const Vec3& hint, double enough) const {
     double best = infinity;
     const auto look = [&](std::size_t i) {
-        best = std::min(best, over(pieces_[i], q));
+        best = std::min(best, over(pieces_[i], q, best));
         return best <= enough;
     };
     if (middles_.near_until(hint, first_look * radius_, look)) return best;

@@ -23,7 +23,8 @@ private:
         Vec3 a, b;
     };
     void add(const Vec3& a, const Vec3& b);
-    double over(const Piece& piece, const Vec3& q) const;
+    /// Exact where it is below `enough`.
+    double over(const Piece& piece, const Vec3& q, double enough) const;
     std::pair<long, long> tile(const Vec2& p) const;
 
     const CutterProfile& profile_;

@@ -3,15 +3,13 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish_warnings.h"
-#include "core/strategy/finish3/left_out.h"
-#include "core/strategy/finish3/left_stock.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/pass_order.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/plan/stock_bottom.h"
-#include "core/strategy/surface/stock_before.h"
+#include "core/strategy/surface/slope_facets.h"
 #include "core/strategy/surface/up_side.h"
 #include "core/strategy/waterline/contour_passes.h"
 #include "core/strategy/waterline/level_order.h"
@@ -27,8 +25,6 @@ namespace {
 const OperationRegistration waterline_registration("waterline", "Waterline",
                                                    [] { return std::make_unique<Waterline>(); });
 
-/// The size of the cells of the stock, in radii of the cutter; the same where only the raw material is asked.
-constexpr double waterline_rest_cell = 0.04, waterline_raw_cell = 0.1;
 /// Places of the grid, and levels, at most: more come from a part in another unit.
 constexpr double max_grid_places = 16e6;
 constexpr std::size_t max_levels = 20000;
@@ -40,7 +36,8 @@ constexpr double slope_slack = 1e-6;
 class WaterlinePlanner {
 public:
     WaterlinePlanner(const WaterlineSettings& settings, const PlanContext& context, const Progress& progress);
-    StrategyResult run();
+    /// `judged`: with what stays uncut, and all that is said of it.
+    PlannedPasses run(bool judged);
 
 private:
     double grid_spacing() const;
@@ -48,13 +45,9 @@ private:
     [[noreturn]] void refuse_slopes() const;
     void find_levels(const Progress& progress);
     void make_passes(const Progress& progress);
-    void leave_out_held_up(const Progress& progress);
-    void leave_out_air_passes(const Progress& progress);
-    void leave_out_beside_stock(const Progress& progress);
     void keep_links_within();
     void check_uncut(const Progress& progress);
     void add_warnings();
-    MeshPtr steep_surface(const Progress& progress);
     ContactAt contact_at() const {
         return [this](const Vec3& tip) { return passes_->contact(tip, Vec2::Zero()); };
     }
@@ -75,13 +68,11 @@ private:
     std::optional<LevelField> field_;
     std::optional<ContourPasses> passes_;
     std::vector<Level> levels_;
+    PassFilter filter_;
     StrategyResult result_;
     UncutReport uncut_;
-    HeldOut held_;
-    ClearOfStock beside_stock_;
-    double area_ = 0, shallow_area_ = 0; ///< of what faces up; of that less steep than asked for; mm^2
+    SlopePiece steep_;
     double lowest_ = -infinity;
-    bool outside_up_ = false;
 };
 
 std::size_t facets_of_part(const PlanContext& context) {
@@ -96,7 +87,10 @@ WaterlinePlanner::WaterlinePlanner(const WaterlineSettings& settings, const Plan
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
       cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_),
       tell_(context.contact, cover_, facets_of_part(context), allowance_),
-      slopes_{settings.slope_limits[0] - slope_slack, settings.slope_limits[1] + slope_slack} {
+      slopes_{settings.slope_limits[0] - slope_slack, settings.slope_limits[1] + slope_slack},
+      filter_(settings, context, profile_,
+              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
+              contact_at()) {
     // Between free places the cutter may come too near by half of the chord tolerance, by leaving places out
     // by the other half; what stays beside a contour is half of it at most.
     fine_.below = 0.5 * chord_;
@@ -194,7 +188,7 @@ void WaterlinePlanner::make_passes(const Progress& progress) {
         for (Pass& pass : made[i]) {
             // A piece between two levels that is shorter than that is not worth its links.
             if (!whole && !is_closed(pass) && arc_lengths(pass).back() < shortest) continue;
-            pass.drive = int(i);
+            pass.drive = pass.layer = int(i);
             // Contours have the part on their left; with it on the right the tool climbs.
             std::reverse(pass.cl.begin(), pass.cl.end());
             std::reverse(pass.cc.begin(), pass.cc.end());
@@ -218,73 +212,20 @@ void WaterlinePlanner::make_passes(const Progress& progress) {
                 "widen it or the slope limits, or take a tool that reaches what lies in it");
 }
 
-void WaterlinePlanner::leave_out_held_up(const Progress& progress) {
-    const HolderReach bodies(context_.contact, context_.tool, allowance_ + settings_.holder_clearance,
-                             chord_);
-    if (bodies.empty()) return;
-    held_ = leave_out_held(result_.passes, bodies, shortest_piece * cover_.radius(), contact_at(), progress);
-    if (held_.kept.empty()) refuse_held(settings_.name, held_, context_);
-    result_.passes = std::move(held_.kept);
-}
-
-/// Beside the raw material; of what stands too little to be cut, where only rest is asked for.
-void WaterlinePlanner::leave_out_air_passes(const Progress& progress) {
-    if (!settings_.rest_only && context_.stock_box.empty()) return;
-    PlanContext raw = context_;
-    if (!settings_.rest_only) raw.earlier.clear();
-    const double cell = settings_.rest_only ? waterline_rest_cell : waterline_raw_cell;
-    const StockField field = stock_before(raw, cell * cover_.radius(), progress.part(0, 0.5));
-    const double least = settings_.rest_only ? cusp_allowed_ : -settings_.tolerance;
-    result_.passes = leave_out_air(result_.passes, field, StockCutter(profile_), least, cover_.radius(),
-                                   contact_at(), progress.part(0.5, 1));
-    if (!result_.passes.empty()) return;
-    if (settings_.rest_only) refuse_without_rest(settings_.name);
-    refuse_beside_raw(settings_.name);
-}
-
-void WaterlinePlanner::leave_out_beside_stock(const Progress& progress) {
-    auto clear = keep_clear_of_left_stock(result_.passes, context_, cover_.radius(), settings_.tolerance,
-                                          contact_at(), progress);
-    if (!clear) return;
-    beside_stock_ = std::move(*clear);
-    if (result_.passes.empty()) refuse_beside_stock(settings_.name, beside_stock_, context_);
-    held_.left.insert(held_.left.end(), beside_stock_.left.begin(), beside_stock_.left.end());
-}
-
 void WaterlinePlanner::keep_links_within() {
     for (std::size_t i = 1; i < result_.passes.size(); ++i)
         if (!passes_->may_link(result_.passes[i - 1].cl.back().tip, result_.passes[i].cl.front().tip))
             result_.passes[i].from_above = true;
 }
 
-/// The facets that face up with a slope that is cut; null where there is none.
-MeshPtr WaterlinePlanner::steep_surface(const Progress& progress) {
-    const Mesh& mesh = *context_.part;
-    const UpSide side(mesh, progress);
-    outside_up_ = side.closed() || context_.is_piece;
-    auto steep = std::make_shared<Mesh>();
-    steep->vertices = mesh.vertices;
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-        if (f % 8192 == 0) progress.check();
-        Vec3 n = mesh.facet_normal(f);
-        if (!context_.is_piece) n = side.towards_tool(n);
-        if (n.z() < tolerance::vertical_normal_z) continue;
-        const double area = 0.5 * mesh.facet_cross(f).norm(), slope = std::acos(std::min(n.z(), 1.0));
-        area_ += area;
-        if (slope < slopes_.lo) shallow_area_ += area;
-        if (slope < slopes_.lo || slope > slopes_.hi) continue;
-        steep->facets.push_back(mesh.facets[f]);
-    }
-    return steep->facets.empty() ? nullptr : steep;
-}
-
 void WaterlinePlanner::check_uncut(const Progress& progress) {
-    const MeshPtr steep = steep_surface(progress.part(0, 0.05));
-    if (!steep) return;
+    steep_ = piece_between(context_, slopes_, progress.part(0, 0.05));
+    if (!steep_.mesh) return;
+    const HeldOut& held = filter_.held();
     const LevelSweep swept(result_.passes, profile_, progress.part(0.05, 0.2)),
-        left_out(held_.left, profile_, progress.part(0.2, 0.25));
+        left_out(held.left, profile_, progress.part(0.2, 0.25));
     UncutInput input;
-    input.mesh = steep.get();
+    input.mesh = steep_.mesh.get();
     input.contact = context_.contact;
     input.lift = &lift_;
     input.cover = &cover_;
@@ -292,8 +233,8 @@ void WaterlinePlanner::check_uncut(const Progress& progress) {
     input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
     input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
     input.swept = &swept;
-    if (!held_.left.empty()) input.swept_left_out = &left_out;
-    input.outside_up = outside_up_;
+    if (!held.left.empty()) input.swept_left_out = &left_out;
+    input.outside_up = context_.is_piece || UpSide(*context_.part, progress.part(0.05, 0.05)).closed();
     input.lowest_tip = lowest_;
     uncut_ = find_uncut(input, progress.part(0.25, 1));
 }
@@ -303,32 +244,26 @@ void WaterlinePlanner::add_warnings() {
     if (settings_.stepdown.is_number() && result_.cusp_max > cusp_allowed_)
         warnings.push_back("the step-down of " + text_(settings_.stepdown.number) + " leaves cusps of "
                            + text_(result_.cusp_max) + "; the tolerance allows " + text_(cusp_allowed_));
-    if (shallow_area_ > 0)
+    if (steep_.shallower > 0)
         warnings.push_back(
-            share_text(shallow_area_, area_)
+            share_text(steep_.shallower, steep_.all)
             + " of the surface is less steep than the slope limits and is left to other operations");
-    if (uncut_.below > 0)
-        warnings.push_back(share_text(uncut_.below, area_)
-                           + " of the surface would only be cut by a tip below the lowest level: allow it by "
-                             "'Below the bottom', where nothing holds the stock there");
+    if (uncut_.below > 0) warnings.push_back(below_warning(uncut_.below, steep_.all));
     if (uncut_.out_of_reach.height > 0)
-        warnings.push_back(hollows_warning(uncut_.out_of_reach, area_, text_));
+        warnings.push_back(hollows_warning(uncut_.out_of_reach, steep_.all, text_));
     if (const UncutPlaces& u = uncut_.passed_by;
         u.height > (1 + tolerance::uncut_margin) * std::max(result_.cusp_max, cusp_allowed_))
-        warnings.push_back("the levels leave more than expected: " + surface_share(u, area_)
+        warnings.push_back("the levels leave more than expected: " + surface_share(u, steep_.all)
                            + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
                            + ": choose a smaller step-down, or wider slope limits");
-    if (uncut_.covered.height > 0) warnings.push_back(covered_warning(uncut_.covered, area_, text_));
-    if (held_.left_length > 0)
-        warnings.push_back("the tool is short: shank or holder would come into the part, so "
-                           + share_text(held_.left_length, held_.length)
-                           + " of the passes are left out: a tool that is "
-                           + text_(std::max(held_.lack.shank, held_.lack.holder)) + " longer would reach it");
-    if (beside_stock_.left_length > 0) warnings.push_back(beside_stock_warning(beside_stock_, context_));
+    if (uncut_.covered.height > 0) warnings.push_back(covered_warning(uncut_.covered, steep_.all, text_));
+    if (filter_.held().left_length > 0) warnings.push_back(held_up_warning(filter_.held(), text_));
+    if (const ClearOfStock& beside = filter_.beside_stock(); beside.left_length > 0)
+        warnings.push_back(beside_stock_warning(beside, context_));
     result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
 }
 
-StrategyResult WaterlinePlanner::run() {
+PlannedPasses WaterlinePlanner::run(bool judged) {
     progress_.part(0, 1, "Choosing levels").set(0);
     find_levels(progress_.part(0, 0.3));
     ContourPasses::Options options;
@@ -343,16 +278,18 @@ StrategyResult WaterlinePlanner::run() {
     result_.chord_tolerance = chord_;
     result_.cusp_max =
         settings_.stepdown.is_number() ? choice_->cusp_at(settings_.stepdown.number) + chord_ : cusp_allowed_;
-    leave_out_held_up(progress_.part(0.75, 0.78));
-    leave_out_air_passes(progress_.part(0.78, 0.82));
+    filter_.leave_out_held_up(result_.passes, progress_.part(0.75, 0.78));
+    filter_.leave_out_air(result_.passes, progress_.part(0.78, 0.82));
     order_by_level(result_.passes, surface_link_distance(result_.stepover_max, context_.tool.diameter),
                    settings_.pattern == WaterlineSettings::Pattern::zigzag, progress_.part(0.82, 0.84));
-    leave_out_beside_stock(progress_.part(0.84, 0.86));
+    filter_.leave_out_beside_stock(result_.passes, progress_.part(0.84, 0.86));
     if (context_.within) keep_links_within();
-    check_uncut(progress_.part(0.86, 1, "Looking for what stays uncut"));
-    add_warnings();
+    if (judged) {
+        check_uncut(progress_.part(0.86, 1, "Looking for what stays uncut"));
+        add_warnings();
+    }
     progress_.set(1);
-    return std::move(result_);
+    return {std::move(result_), filter_.held(), filter_.beside_stock(), lowest_};
 }
 
 } // namespace
@@ -404,13 +341,15 @@ const ParameterTable<WaterlineSettings>& waterline_parameters() {
     return table;
 }
 
-bool keeps_itself_within(const Operation& operation) {
-    return dynamic_cast<const Waterline*>(&operation) != nullptr;
-}
-
 StrategyResult Waterline::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return WaterlinePlanner(settings_, context, progress).run();
+    return WaterlinePlanner(settings_, context, progress).run(true).path;
+}
+
+PlannedPasses waterline_passes(const WaterlineSettings& settings, const PlanContext& context,
+                               const Progress& progress) {
+    check_plannable(context, settings);
+    return WaterlinePlanner(settings, context, progress).run(false);
 }
 
 } // namespace facetmill

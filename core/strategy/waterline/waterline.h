@@ -14,6 +14,7 @@
 // Tolerances, shank and holder, stock, what is air and what stays uncut are as in finish3.h.
 #pragma once
 
+#include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/plan/operation.h"
 
 namespace facetmill {
@@ -52,8 +53,9 @@ public:
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
 
-/// True for an operation that keeps its passes within the boundary as it plans them: the side of a cutter
-/// beside a wall touches that, not what is below the tip.
-bool keeps_itself_within(const Operation& operation);
+/// The passes of such a plan as a part of another operation's, which asks itself what stays uncut. Throws
+/// what Waterline::plan does.
+PlannedPasses waterline_passes(const WaterlineSettings& settings, const PlanContext& context,
+                               const Progress& progress);
 
 } // namespace facetmill
