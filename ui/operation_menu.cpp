@@ -77,6 +77,8 @@ QString operation_words(const std::string& kind) {
     if (kind == "finish3") return QMenu::tr("Passes side by side over the surface, with an upright tool");
     if (kind == "waterline")
         return QMenu::tr("Goes round steep walls and flanks at one height after another");
+    if (kind == "steep_shallow")
+        return QMenu::tr("Divides the part by slope: levels round what is steep, passes over the rest");
     if (kind == "cleanup") return QMenu::tr("Cuts the valleys that a larger tool could not enter");
     if (kind == "finish5")
         return QMenu::tr("The tool leans, so that a flat or bull-nosed cutter leaves wide strips");

@@ -154,6 +154,12 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
             const double down = std::max(number_or(*operation, "stepdown", step), 1e-300);
             e.points = steep_share * mesh_area(*part.mesh) / (down * along);
             e.seconds = e.points * seconds_of_levels;
+            if (operation->has("stepover")) { // and passes over what is not
+                const Vec3 size = part.box.size();
+                const double points = size.x() * size.y() / (step * along);
+                e.points += points;
+                e.seconds += points * seconds_upright;
+            }
         } else if (!operation->has("stepover")) { // clean-up: passes beside valleys
             e.points = cleanup_share * mesh_area(*part.mesh) / (step * along);
             e.seconds = e.points * seconds_cleaning_up;

@@ -648,6 +648,10 @@
         <translation>Ebenen werden gefräst</translation>
     </message>
     <message>
+        <source>Cutting steep surface by levels</source>
+        <translation>Steiles wird in Höhenlinien gefräst</translation>
+    </message>
+    <message>
         <source>CuttingEdgeHeight is not said: all of its length is taken for flutes</source>
         <translation>CuttingEdgeHeight fehlt: die ganze Länge gilt als Schneide</translation>
     </message>
@@ -734,6 +738,10 @@
     <message>
         <source>Distance that shank and holder keep from the part.</source>
         <translation>Abstand, den Schaft und Halter vom Teil halten.</translation>
+    </message>
+    <message>
+        <source>Divide</source>
+        <translation>Teilung</translation>
     </message>
     <message>
         <source>Dovetail</source>
@@ -1780,6 +1788,10 @@
         <translation>Bahnen</translation>
     </message>
     <message>
+        <source>Passes over shallow surface</source>
+        <translation>Bahnen über flache Flächen</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>Muster</translation>
     </message>
@@ -2108,12 +2120,20 @@
         <translation>Neigung, mit der Rampen und Wendeln hinabgehen.</translation>
     </message>
     <message>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by parallel passes.</source>
+        <translation>Neigung gegen die Waagrechte, an der das Teil geteilt wird: was steiler ist, wird in Höhenlinien gefräst, was flacher ist, in parallelen Bahnen.</translation>
+    </message>
+    <message>
         <source>Slope limits</source>
         <translation>Neigungsgrenzen</translation>
     </message>
     <message>
         <source>Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. What is less steep is for parallel passes.</source>
         <translation>Neigungen, die bearbeitet werden, von der Waagrechten an: 0 ist ein Boden, 90 Grad eine Wand. Was weniger steil ist, ist für parallele Bahnen.</translation>
+    </message>
+    <message>
+        <source>Slopes that are so near to the divide are cut both ways.</source>
+        <translation>Neigungen, die der Teilung so nahe sind, werden auf beide Arten gefräst.</translation>
     </message>
     <message>
         <source>Slurm is not here</source>
@@ -2206,6 +2226,10 @@
     <message>
         <source>Start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Steep and shallow</source>
+        <translation>Steil und flach</translation>
     </message>
     <message>
         <source>Step of inclination and yaw in the configuration space.</source>
@@ -3504,6 +3528,18 @@
         <translation>alle Facetten des Teils zeigen entlang der Drehachse</translation>
     </message>
     <message>
+        <source>all is cut by levels: nothing is less steep than the divide</source>
+        <translation>alles wird in Höhenlinien gefräst: nichts ist flacher als die Teilung</translation>
+    </message>
+    <message>
+        <source>all is cut by levels: {1}</source>
+        <translation>alles wird in Höhenlinien gefräst: {1}</translation>
+    </message>
+    <message>
+        <source>all is cut by parallel passes: {1}</source>
+        <translation>alles wird in parallelen Bahnen gefräst: {1}</translation>
+    </message>
+    <message>
         <source>all of them are switched off</source>
         <translation>alle sind ausgeschaltet</translation>
     </message>
@@ -3918,6 +3954,10 @@
     <message>
         <source>check part, tool and direction</source>
         <translation>Teil, Werkzeug und Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>check part, tool and divide</source>
+        <translation>Teil, Werkzeug und Teilung prüfen</translation>
     </message>
     <message>
         <source>check part, tool and tolerance</source>
@@ -9484,6 +9524,10 @@
         <translation>Zickzack fräst offene Bahnen, wie es näher ist; eine Richtung immer mit dem Teil rechts vom Weg (Gleichlauf).</translation>
     </message>
     <message>
+        <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
+        <translation>Zickzack fräst hin und her, offene Höhenlinien, wie es näher ist; eine Richtung immer gleich herum, Höhenlinien mit dem Teil rechts vom Weg (Gleichlauf).</translation>
+    </message>
+    <message>
         <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above the part.</source>
         <translation>Zickzack fräst hin und her; einseitig fräst immer in Fahrtrichtung und kehrt über dem Teil zurück.</translation>
     </message>
@@ -11361,6 +11405,10 @@
     <message>
         <source>Distance and angle between two points of the part (M)</source>
         <translation>Abstand und Winkel zwischen zwei Punkten des Teils (M)</translation>
+    </message>
+    <message>
+        <source>Divides the part by slope: levels round what is steep, passes over the rest</source>
+        <translation>Teilt das Teil nach Neigung: Höhenlinien um Steiles, Bahnen über den Rest</translation>
     </message>
     <message>
         <source>Do not ask again for this file</source>

@@ -648,6 +648,10 @@
         <translation>Usinage des niveaux</translation>
     </message>
     <message>
+        <source>Cutting steep surface by levels</source>
+        <translation>Usinage des surfaces raides par niveaux</translation>
+    </message>
+    <message>
         <source>CuttingEdgeHeight is not said: all of its length is taken for flutes</source>
         <translation>CuttingEdgeHeight n'est pas dit : toute sa longueur est prise comme coupante</translation>
     </message>
@@ -734,6 +738,10 @@
     <message>
         <source>Distance that shank and holder keep from the part.</source>
         <translation>Distance que queue et porte-outil gardent de la pièce.</translation>
+    </message>
+    <message>
+        <source>Divide</source>
+        <translation>Limite</translation>
     </message>
     <message>
         <source>Dovetail</source>
@@ -1780,6 +1788,10 @@
         <translation>Passes</translation>
     </message>
     <message>
+        <source>Passes over shallow surface</source>
+        <translation>Passes sur les surfaces douces</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>Motif</translation>
     </message>
@@ -2108,12 +2120,20 @@
         <translation>Pente à laquelle descendent rampes et hélices.</translation>
     </message>
     <message>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by parallel passes.</source>
+        <translation>Pente par rapport à l'horizontale où la pièce est divisée : ce qui est plus raide est usiné par niveaux, ce qui l'est moins par passes parallèles.</translation>
+    </message>
+    <message>
         <source>Slope limits</source>
         <translation>Limites de pente</translation>
     </message>
     <message>
         <source>Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. What is less steep is for parallel passes.</source>
         <translation>Pentes qui sont usinées, depuis l'horizontale : 0 est un fond, 90 degrés une paroi. Ce qui est moins raide est pour des passes parallèles.</translation>
+    </message>
+    <message>
+        <source>Slopes that are so near to the divide are cut both ways.</source>
+        <translation>Les pentes aussi proches de la limite sont usinées des deux façons.</translation>
     </message>
     <message>
         <source>Slurm is not here</source>
@@ -2206,6 +2226,10 @@
     <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Steep and shallow</source>
+        <translation>Raide et doux</translation>
     </message>
     <message>
         <source>Step of inclination and yaw in the configuration space.</source>
@@ -3504,6 +3528,18 @@
         <translation>toutes les facettes de la pièce regardent le long de l'axe de rotation</translation>
     </message>
     <message>
+        <source>all is cut by levels: nothing is less steep than the divide</source>
+        <translation>tout est usiné par niveaux : rien n'est moins raide que la limite</translation>
+    </message>
+    <message>
+        <source>all is cut by levels: {1}</source>
+        <translation>tout est usiné par niveaux : {1}</translation>
+    </message>
+    <message>
+        <source>all is cut by parallel passes: {1}</source>
+        <translation>tout est usiné par passes parallèles : {1}</translation>
+    </message>
+    <message>
         <source>all of them are switched off</source>
         <translation>toutes sont désactivées</translation>
     </message>
@@ -3918,6 +3954,10 @@
     <message>
         <source>check part, tool and direction</source>
         <translation>vérifier pièce, outil et direction</translation>
+    </message>
+    <message>
+        <source>check part, tool and divide</source>
+        <translation>vérifiez pièce, outil et limite</translation>
     </message>
     <message>
         <source>check part, tool and tolerance</source>
@@ -9484,6 +9524,10 @@
         <translation>zigzag usine les passes ouvertes dans le sens le plus proche ; un sens toujours avec la pièce à droite de l'avance (en avalant).</translation>
     </message>
     <message>
+        <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
+        <translation>zigzag usine en va-et-vient, et les niveaux ouverts dans le sens le plus proche ; un sens toujours dans la même direction, les niveaux avec la pièce à droite de l'avance (en avalant).</translation>
+    </message>
+    <message>
         <source>zigzag cuts to and fro; oneway always cuts in the direction of travel and returns above the part.</source>
         <translation>zigzag usine en aller et retour ; sens unique usine toujours dans le sens de l'avance et revient au-dessus de la pièce.</translation>
     </message>
@@ -11361,6 +11405,10 @@
     <message>
         <source>Distance and angle between two points of the part (M)</source>
         <translation>Distance et angle entre deux points de la pièce (M)</translation>
+    </message>
+    <message>
+        <source>Divides the part by slope: levels round what is steep, passes over the rest</source>
+        <translation>Divise la pièce par pente : des niveaux autour du raide, des passes sur le reste</translation>
     </message>
     <message>
         <source>Do not ask again for this file</source>
