@@ -25,8 +25,8 @@ struct Pass {
     std::vector<CutterContact> cc;
     std::vector<CutterLocation> cl;
     int layer = -1; ///< number of the layer or level from the top, else -1
-    /// The descent into the material, a ramp or a helix that ends at the first CL; roughing only. Nothing
-    /// stands above its first location or, where there is no entry, above the first CL.
+    /// Roughing: the descent into the material that ends at the first CL; nothing stands above its first
+    /// location or, without entry, above the first CL. Finishing: how high a link has to be, over the first.
     std::vector<CutterLocation> entry;
     /// The tool comes to it from the clearance height, however near the pass before ends: something stands
     /// beside the way along the surface. Finishing with three axes only.
