@@ -41,25 +41,9 @@ std::size_t count_of(const Arguments& arguments, const char* option, std::size_t
 /// Processes of this program on this machine, or on one that sees the folder and has this program.
 StudyWorkers study_workers(const StudyFolder& folder, const Arguments& arguments) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    StudyWorkers workers;
-    workers.count = count_of(arguments, "--workers", cores);
-    const std::size_t threads =
-        count_of(arguments, "--threads", std::max<std::size_t>(1, cores / workers.count));
-    workers.program = fs::read_symlink("/proc/self/exe");
-    const std::string place = fs::absolute(folder.path()).string();
-    workers.arguments = [=](const StudyWork& w) {
-        return std::vector<std::string>{"study",
-                                        "work",
-                                        place,
-                                        "--candidate",
-                                        w.key,
-                                        "--rung",
-                                        std::string(rung_name(w.rung)),
-                                        "--threads",
-                                        std::to_string(threads),
-                                        "--ends-with-parent"};
-    };
-    return workers;
+    const std::size_t count = count_of(arguments, "--workers", cores);
+    const std::size_t threads = count_of(arguments, "--threads", std::max<std::size_t>(1, cores / count));
+    return own_workers(folder, fs::read_symlink("/proc/self/exe"), count, threads);
 }
 
 /// Workers on another machine that sees the folder under the same name, each begun by ssh.

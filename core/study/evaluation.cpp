@@ -98,13 +98,16 @@ void measure_judged(const JudgedChain& judged, RungResult& result) {
     raise(m[Measure::uncut_share], v.uncut_share);
 }
 
-void judge(const std::vector<SetupPlan>& setups, const Project& base, Rung rung, RungResult& result,
+/// `max_samples`: as VerifySettings has it.
+void judge(SeenCandidate& seen, const Project& base, Rung rung, std::size_t max_samples,
            const Progress& progress) {
-    const JudgedJob judged = judge_job(
-        setups,
+    RungResult& result = seen.result;
+    JudgedJob judged = judge_job(
+        seen.setups,
         [&](VerifySettings& settings, std::span<const SetupPlan> chain,
             std::span<const std::vector<VerifyProgram>> programs) {
             settings = base_settings(base, chain);
+            settings.max_samples = max_samples;
             if (rung != Rung::coarse) return;
             const double radius = narrowest_radius(programs);
             settings.resolution = coarse_resolution * radius;
@@ -116,31 +119,49 @@ void judge(const std::vector<SetupPlan>& setups, const Project& base, Rung rung,
     const Verdict verdict = judged.verdict();
     result.passed = verdict == Verdict::verified;
     if (!result.passed) result.why = verdict_name(verdict) + ": " + judged.findings();
+    seen.chains = std::move(judged.chains);
 }
 
-} // namespace
-
-RungResult evaluate(const Project& candidate, const Project& base, Rung rung, const Progress& progress) {
-    RungResult result;
+/// Fills in what a look comes to.
+void look(SeenCandidate& seen, const Project& candidate, const Project& base, Rung rung,
+          std::size_t max_samples, const std::function<void(const std::vector<SetupPlan>&)>& planned,
+          const Progress& progress) {
+    RungResult& result = seen.result;
     try {
         SetupPlanners planners;
-        const std::vector<SetupPlan> setups = plan_setups(
+        seen.setups = plan_setups(
             candidate, "", planners, progress.part(0, rung == Rung::estimate ? 1 : 0.3),
             checked_planning({[](const WorkEstimate& estimate) {
                                   refuse_large(estimate, "choose a larger tolerance or step-over");
                               },
                               {}}));
-        measure_plan(setups, result);
-        for (const SetupPlan& setup : setups)
+        if (planned) planned(seen.setups);
+        measure_plan(seen.setups, result);
+        for (const SetupPlan& setup : seen.setups)
             setup.plan->check_reach();
         result.passed = true;
-        if (rung != Rung::estimate) judge(setups, base, rung, result, progress.part(0.3, 1));
+        if (rung != Rung::estimate) judge(seen, base, rung, max_samples, progress.part(0.3, 1));
     } catch (const Error& e) {
         if (outer_error(e.code())) throw;
         result.passed = false;
         result.why = e.what();
     }
-    return result;
+}
+
+} // namespace
+
+RungResult evaluate(const Project& candidate, const Project& base, Rung rung, const Progress& progress) {
+    SeenCandidate seen;
+    look(seen, candidate, base, rung, 0, {}, progress);
+    return seen.result;
+}
+
+std::shared_ptr<const SeenCandidate>
+see_candidate(const Project& candidate, const Project& base, std::size_t max_samples,
+              const std::function<void(const std::vector<SetupPlan>&)>& planned, const Progress& progress) {
+    auto seen = std::make_shared<SeenCandidate>();
+    look(*seen, candidate, base, Rung::fine, max_samples, planned, progress);
+    return seen;
 }
 
 std::string judging_key(const Project& base) {

@@ -93,10 +93,7 @@ private:
 
     void judge(Running ended) {
         const int status = ended.process->wait();
-        if (status == 0) {
-            ++done_;
-            return;
-        }
+        if (status == 0) return end(ended.asked);
         if (const auto error = worker_error(ended.said)) {
             if (error->code() != ErrorCode::internal) throw Error(*error);
             return lose(ended.asked, error->what());
@@ -111,7 +108,12 @@ private:
 
     void lose(const Asked& asked, const std::string& why) {
         lost_[asked.work.key] = why;
+        end(asked);
+    }
+
+    void end(const Asked& asked) {
         ++done_;
+        if (workers_.ended) workers_.ended(asked.work);
     }
 
     const StudyWorkers& workers_;
@@ -132,6 +134,27 @@ std::string worker_error_line(const Error& error) {
                   {"remedy", printable(error.remedy(), 400)}}}}
                .dump()
            + "\n";
+}
+
+StudyWorkers own_workers(const StudyFolder& folder, const std::filesystem::path& program, std::size_t count,
+                         std::size_t threads) {
+    StudyWorkers workers;
+    workers.count = count;
+    workers.program = program;
+    const std::string place = std::filesystem::absolute(folder.path()).string();
+    workers.arguments = [=](const StudyWork& w) {
+        return std::vector<std::string>{"study",
+                                        "work",
+                                        place,
+                                        "--candidate",
+                                        w.key,
+                                        "--rung",
+                                        std::string(rung_name(w.rung)),
+                                        "--threads",
+                                        std::to_string(threads),
+                                        "--ends-with-parent"};
+    };
+    return workers;
 }
 
 StudyEngine work_by_processes(const StudyWorkers& workers) {

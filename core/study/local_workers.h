@@ -21,7 +21,14 @@ struct StudyWorkers {
     /// Throws where a worker that ended with this status and said nothing tells something of them all; may be
     /// empty.
     std::function<void(int status)> judge_status = nullptr;
+    /// Told of each look that is over, also where it was lost; may be empty.
+    std::function<void(const StudyWork&)> ended = nullptr;
 };
+
+/// Processes of `program`, which is facetmill-cli, on this machine, `count` at once, with so many threads
+/// each.
+StudyWorkers own_workers(const StudyFolder& folder, const std::filesystem::path& program, std::size_t count,
+                         std::size_t threads);
 
 /// One that was ended from without is asked again, five times in all; one that crashed once more. What it is
 /// asked next for is another process, so that a crash costs its candidate alone. Throws the error of a worker

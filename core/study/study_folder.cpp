@@ -75,8 +75,8 @@ RungResult read_result(const Json& object, const std::string& name) {
 
 } // namespace
 
-std::string program_identity(const std::string& name) {
-    return name + " " + content_text("/proc/self/exe", study_hash_key, {});
+std::string program_identity(const std::string& name, const fs::path& file) {
+    return name + " " + content_text(file, study_hash_key, {});
 }
 
 fs::path usual_study_folder(const fs::path& study_file) {

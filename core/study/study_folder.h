@@ -27,8 +27,9 @@ struct StudyRequest {
     std::string study;   ///< the study's text
 };
 
-/// A program's name, and a hash of the file that runs: two builds are two programs.
-std::string program_identity(const std::string& name);
+/// A program's name, and a hash of its file, where none is given of the one that runs: two builds are two
+/// programs. Throws what InputFile does.
+std::string program_identity(const std::string& name, const std::filesystem::path& file = "/proc/self/exe");
 
 class StudyFolder {
 public:

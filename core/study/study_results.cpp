@@ -7,35 +7,38 @@
 
 namespace facetmill {
 
-namespace {
-
-/// The closest look at a candidate: that of the one with the same project.
-const CandidateState& state_of(const StudyOutcome& outcome, std::size_t i) {
-    return outcome.states[outcome.same[i]];
+std::string_view standing_name(CandidateStanding standing) {
+    constexpr std::string_view names[] = {"winner", "front", "verified", "behind", "out"};
+    return names[std::size_t(standing)];
 }
 
-std::string rung_of_state(const CandidateState& state) {
-    for (std::size_t r = all_rungs.size(); r-- > 0;)
-        if (state.rungs[r]) return std::string(rung_name(all_rungs[r]));
-    return "";
+const CandidateState& state_of(const StudyOutcome& outcome, std::size_t candidate) {
+    return outcome.states[outcome.same[candidate]];
 }
 
-/// Why it is not among those that could win; empty where it could.
-std::string why_not(const StudyOutcome& outcome, std::size_t i) {
-    if (!outcome.candidates[i].usable()) return outcome.candidates[i].impossible;
-    if (outcome.same[i] != i) return "the same as " + std::to_string(outcome.same[i]);
-    const RungResult* last = outcome.states[i].last();
+std::string why_no_winner(const StudyOutcome& outcome, std::size_t candidate) {
+    if (!outcome.candidates[candidate].usable()) return outcome.candidates[candidate].impossible;
+    if (outcome.same[candidate] != candidate) return "the same as " + std::to_string(outcome.same[candidate]);
+    const RungResult* last = outcome.states[candidate].last();
     if (!last) return "not looked at";
     if (!last->passed) return last->why;
     return missed_limits(*last, outcome.decision.limits);
 }
 
-std::string standing_of(const StudyOutcome& outcome, std::size_t i) {
+CandidateStanding standing_of(const StudyOutcome& outcome, std::size_t candidate) {
     const auto& front = outcome.decision.front;
-    if (outcome.decision.winner == i) return "winner";
-    if (std::find(front.begin(), front.end(), i) != front.end()) return "front";
-    if (!why_not(outcome, i).empty()) return "out";
-    return outcome.states[i].at(Rung::fine) ? "verified" : "behind";
+    if (outcome.decision.winner == candidate) return CandidateStanding::winner;
+    if (std::find(front.begin(), front.end(), candidate) != front.end()) return CandidateStanding::front;
+    if (!why_no_winner(outcome, candidate).empty()) return CandidateStanding::out;
+    return outcome.states[candidate].at(Rung::fine) ? CandidateStanding::verified : CandidateStanding::behind;
+}
+
+namespace {
+
+std::string rung_of_state(const CandidateState& state) {
+    for (std::size_t r = all_rungs.size(); r-- > 0;)
+        if (state.rungs[r]) return std::string(rung_name(all_rungs[r]));
+    return "";
 }
 
 Json candidate_json(const StudyFolder& folder, const StudyOutcome& outcome, std::size_t i) {
@@ -48,10 +51,10 @@ Json candidate_json(const StudyFolder& folder, const StudyOutcome& outcome, std:
     Json one{{"number", i},
              {"key", outcome.keys[i]},
              {"choice", std::move(choice)},
-             {"standing", standing_of(outcome, i)}};
+             {"standing", std::string(standing_name(standing_of(outcome, i)))}};
     const CandidateState& state = state_of(outcome, i);
     one["rung"] = rung_of_state(state);
-    one["why_not"] = printable(why_not(outcome, i), 2000);
+    one["why_not"] = printable(why_no_winner(outcome, i), 2000);
     Json measures = Json::object();
     if (const RungResult* last = state.last())
         for (const Measure m : all_measures())
@@ -104,8 +107,12 @@ std::vector<std::size_t> table_order(const StudyFolder& folder, const StudyOutco
     };
     std::vector<Row> rows;
     for (std::size_t i = 0; i < outcome.candidates.size(); ++i) {
-        const std::string standing = standing_of(outcome, i);
-        Row row{i, standing == "out" ? 2 : standing == "behind" ? 1 : 0, {}};
+        const CandidateStanding standing = standing_of(outcome, i);
+        Row row{i,
+                standing == CandidateStanding::out      ? 2
+                : standing == CandidateStanding::behind ? 1
+                                                        : 0,
+                {}};
         const RungResult* last = state_of(outcome, i).last();
         if (row.group < 2 && last)
             for (const Measure m : folder.study().want)
@@ -173,8 +180,8 @@ std::string study_markdown(const StudyFolder& folder, const StudyOutcome& outcom
     for (const std::size_t i : table_order(folder, outcome)) {
         const Candidate& c = outcome.candidates[i];
         const CandidateState& state = state_of(outcome, i);
-        text +=
-            "| " + std::to_string(i) + " | " + standing_of(outcome, i) + " | " + rung_of_state(state) + " |";
+        text += "| " + std::to_string(i) + " | " + std::string(standing_name(standing_of(outcome, i))) + " | "
+                + rung_of_state(state) + " |";
         for (std::size_t v = 0; v < folder.study().vary.size(); ++v) {
             const std::string shown = c.chosen.empty()
                                           ? std::string("as it stands")
@@ -184,7 +191,7 @@ std::string study_markdown(const StudyFolder& folder, const StudyOutcome& outcom
         const RungResult* last = state.last();
         for (const Measure m : all_measures())
             text += " " + (last ? number_text(last->measures[m]) : "") + " |";
-        text += " " + markdown_cell(why_not(outcome, i)) + " |\n";
+        text += " " + markdown_cell(why_no_winner(outcome, i)) + " |\n";
     }
     return text;
 }
@@ -199,14 +206,15 @@ std::string study_csv(const StudyFolder& folder, const StudyOutcome& outcome) {
     for (std::size_t i = 0; i < outcome.candidates.size(); ++i) {
         const Candidate& c = outcome.candidates[i];
         const CandidateState& state = state_of(outcome, i);
-        text += std::to_string(i) + "," + standing_of(outcome, i) + "," + rung_of_state(state);
+        text += std::to_string(i) + "," + std::string(standing_name(standing_of(outcome, i))) + ","
+                + rung_of_state(state);
         for (std::size_t v = 0; v < folder.study().vary.size(); ++v)
             text +=
                 "," + (c.chosen.empty() ? "" : csv_cell(folder.study().vary[v].choices[c.chosen[v]].label));
         const RungResult* last = state.last();
         for (const Measure m : all_measures())
             text += "," + (last ? number_text(last->measures[m]) : "");
-        text += "," + csv_cell(why_not(outcome, i)) + "\n";
+        text += "," + csv_cell(why_no_winner(outcome, i)) + "\n";
     }
     return text;
 }
@@ -225,7 +233,8 @@ void check_winner(const StudyFolder& folder, const StudyOutcome& outcome) {
     std::string nearest = "none was planned";
     if (const auto n = outcome.decision.nearest)
         nearest = "nearest comes " + std::to_string(*n) + " ("
-                  + candidate_text(folder.study(), outcome.candidates[*n]) + "): " + why_not(outcome, *n);
+                  + candidate_text(folder.study(), outcome.candidates[*n])
+                  + "): " + why_no_winner(outcome, *n);
     throw Error(ErrorCode::empty_result, printable(folder.path().string(), 400),
                 "no candidate meets the limits; " + nearest, "let more vary, or allow more");
 }

@@ -9,6 +9,22 @@
 
 namespace facetmill {
 
+/// What became of a candidate: one that could win has none of the reasons of `why_no_winner`.
+enum class CandidateStanding {
+    winner,
+    front,    ///< no other surpasses it in all that is wanted
+    verified, ///< as finely as `facetmill-cli simulate`, and meets the limits
+    behind,   ///< others were looked at more closely
+    out,
+};
+/// "winner", "front", ...
+std::string_view standing_name(CandidateStanding standing);
+CandidateStanding standing_of(const StudyOutcome& outcome, std::size_t candidate);
+/// Why it is not among those that could win; empty where it could.
+std::string why_no_winner(const StudyOutcome& outcome, std::size_t candidate);
+/// The looks at a candidate: those at the first one with the same project.
+const CandidateState& state_of(const StudyOutcome& outcome, std::size_t candidate);
+
 /// Lengths in the project's units. No times of day and no durations of work: the same study gives the same
 /// bytes, by however many it was worked on.
 std::string study_json(const StudyFolder& folder, const StudyOutcome& outcome);
