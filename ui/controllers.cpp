@@ -19,6 +19,7 @@
 #include "ui/rough_controller.h"
 #include "ui/scan_controller.h"
 #include "ui/strip_controller.h"
+#include "ui/study_controller.h"
 #include "ui/text.h"
 #include "ui/tool_controller.h"
 #include "ui/unrolled_controller.h"
@@ -81,11 +82,13 @@ void Controllers::build(const Parts& p, QWidget* window) {
     scan_ = new ScanController(p.document, p.planner->meshes(), p.viewport, window);
     p.tree.tree()->addAction(scan_->open_action());
     connect(p.properties.repair_button(), &RepairButton::clicked, scan_, &ScanController::open);
+    study_ = new StudyController(p.document, verification_->model(), window);
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {measure_, picker,  boundaries, verification_, rough_,  regions_, inspection_, unrolled_, cspace_,
-            tool_,    strips_, part_,      fixtures,      inputs_, place_,   scan_,       paths_,    kept_};
+    all_ = {measure_,  picker,  boundaries, verification_, rough_, regions_, inspection_,
+            unrolled_, cspace_, tool_,      strips_,       part_,  fixtures, inputs_,
+            place_,    scan_,   study_,     paths_,        kept_};
 }
 
 void Controllers::connect_document(const Document& document) {

@@ -33,6 +33,7 @@ class RoughController;
 class ScanController;
 class StatusLine;
 class StripController;
+class StudyController;
 class ToolController;
 class UnrolledController;
 class VerificationController;
@@ -70,6 +71,7 @@ public:
     MeasureController& measure() { return *measure_; }
     KeptPlans& kept() { return *kept_; }
     ScanController& scan() { return *scan_; }
+    StudyController& study() { return *study_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -108,6 +110,7 @@ private:
     MeasureController* measure_ = nullptr;
     KeptPlans* kept_ = nullptr;
     ScanController* scan_ = nullptr;
+    StudyController* study_ = nullptr;
     QString remark_;               ///< of the part that was opened last
     std::vector<Controller*> all_; ///< in the order in which they are told
 };

@@ -27,6 +27,7 @@ constexpr std::pair<const char*, const char*> help_chapters[] = {
     {"scan_dock", "scan_room.html"},
     {"log_dock", "planning.html#messages"},
     {"chart_dock", "simulation.html#charts"},
+    {"study_dialog", "studies.html"},
     {"tool_dialog", "tools.html#dialog"},
     {"tool_library", "tools.html#library"},
     {"region_dialog", "regions.html"},

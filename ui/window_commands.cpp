@@ -21,6 +21,7 @@
 #include "ui/scan_controller.h"
 #include "ui/settings.h"
 #include "ui/start_hint.h"
+#include "ui/study_controller.h"
 #include "ui/templates.h"
 #include "ui/text.h"
 #include "ui/undo_keys.h"
@@ -209,6 +210,16 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   can_plan_all,
                   {},
                   tr("Plan what is not planned yet, and judge all setups as one job (Shift+F6)")});
+    commands.add({"study",
+                  tr("Stud&y…"),
+                  {},
+                  {QKeySequence(Qt::Key_S)},
+                  [&w] { w.controllers().study().open(); },
+                  {},
+                  {},
+                  tr("Find out which tools and settings serve best: many are planned and verified (S)")});
+    QObject::connect(&w.controllers().study(), &StudyController::save_wanted, &w.files(),
+                     [&w] { w.files().save(); });
     commands.add({"cancel",
                   tr("&Cancel"),
                   Icon::cancel,

@@ -88,6 +88,10 @@
         <translation>'{1}' ist nicht Buchstabe und Zahl</translation>
     </message>
     <message>
+        <source>'{1}' is no limit</source>
+        <translation>„{1}“ ist keine Grenze</translation>
+    </message>
+    <message>
         <source>'{1}' is no list</source>
         <translation>'{1}' ist keine Liste</translation>
     </message>
@@ -7900,6 +7904,10 @@
         <translation>das Programm, das solche Dateien liest, {1}, ist nicht da</translation>
     </message>
     <message>
+        <source>the program that works on studies, facetmill-cli, is not here</source>
+        <translation>das Programm, das an Studien arbeitet, facetmill-cli, ist nicht da</translation>
+    </message>
+    <message>
         <source>the program that wrote it is wrong: export the part by another one</source>
         <translation>das Programm, das sie geschrieben hat, macht es falsch: exportieren Sie das Teil mit einem anderen</translation>
     </message>
@@ -9272,6 +9280,10 @@
         <translation>eine Zahl üblicher Größe schreiben</translation>
     </message>
     <message>
+        <source>write a number, or ×1.1 for 1.1 times what the project comes to</source>
+        <translation>eine Zahl schreiben, oder ×1,1 für das 1,1-Fache dessen, worauf das Projekt kommt</translation>
+    </message>
+    <message>
         <source>write a place of the project's file, as operations[Finish].tolerance</source>
         <translation>einen Ort der Projektdatei schreiben, wie operations[Finish].tolerance</translation>
     </message>
@@ -10123,12 +10135,28 @@
         <translation>%1 %2, %3: %4</translation>
     </message>
     <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 (library)</source>
+        <translation>%1 (Bibliothek)</translation>
+    </message>
+    <message>
+        <source>%1 (min)</source>
+        <translation>%1 (min)</translation>
+    </message>
+    <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>%1 About %2 on this computer, as long as the project itself took.</source>
+        <translation>%1 Etwa %2 auf diesem Rechner, so lange, wie das Projekt selbst gebraucht hat.</translation>
     </message>
     <message>
         <source>%1 CC points</source>
@@ -10137,6 +10165,26 @@
     <message>
         <source>%1 GOTO/s</source>
         <translation>%1 GOTO/s</translation>
+    </message>
+    <message>
+        <source>%1 How long that takes is told here once the project is planned and verified.</source>
+        <translation>%1 Wie lange das dauert, steht hier, sobald das Projekt geplant und geprüft ist.</translation>
+    </message>
+    <message>
+        <source>%1 It goes on there: scancel ends it.</source>
+        <translation>%1 Dort geht es weiter: scancel beendet es.</translation>
+    </message>
+    <message>
+        <source>%1 Looks that are missing: %2.</source>
+        <translation>%1 Noch fehlende Blicke: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Lost: %2 (%3).</source>
+        <translation>%1 Verloren: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>%1 Still about %2.</source>
+        <translation>%1 Noch etwa %2.</translation>
     </message>
     <message>
         <source>%1 across</source>
@@ -10278,9 +10326,21 @@
         <source>%1, %2 % of the surface</source>
         <translation>%1, %2 % der Fläche</translation>
     </message>
+    <message>
+        <source>%1, %2 of them passed</source>
+        <translation>%1, davon bestanden: %2</translation>
+    </message>
     <message numerus="yes">
         <source>%1, %2 passes</source>
         <translation><numerusform>%1, %2 Bahn</numerusform><numerusform>%1, %2 Bahnen</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, %2: choose at least one value.</source>
+        <translation>%1, %2: wählen Sie mindestens einen Wert.</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <translation>%1, höchstens %2</translation>
     </message>
     <message>
         <source>%1, or a Facetmill project</source>
@@ -10301,6 +10361,10 @@
     <message>
         <source>%1: %2 rpm, %3 %4</source>
         <translation>%1: %2 U/min, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 times what the project comes to</source>
+        <translation>%1: %2-mal das, worauf das Projekt kommt</translation>
     </message>
     <message>
         <source>%1: %2. %3</source>
@@ -10349,6 +10413,10 @@
     <message>
         <source>&amp;Add to project</source>
         <translation>Zum Projekt hinzu&amp;fügen</translation>
+    </message>
+    <message>
+        <source>&amp;Adopt</source>
+        <translation>Über&amp;nehmen</translation>
     </message>
     <message>
         <source>&amp;As the other holes</source>
@@ -10495,8 +10563,16 @@
         <translation>&amp;Neu</translation>
     </message>
     <message>
+        <source>&amp;New study</source>
+        <translation>Ne&amp;ue Studie</translation>
+    </message>
+    <message>
         <source>&amp;Not now</source>
         <translation>&amp;Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Open study…</source>
+        <translation>Studie ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -10523,6 +10599,10 @@
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
+        <source>&amp;Resume</source>
+        <translation>Fo&amp;rtsetzen</translation>
+    </message>
+    <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
@@ -10533,6 +10613,10 @@
     <message>
         <source>&amp;Smooth</source>
         <translation>&amp;Geglättet</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
     </message>
     <message>
         <source>&amp;Stock…</source>
@@ -10667,6 +10751,10 @@
         <translation>&lt;h3&gt;Facetmill %1&lt;/h3&gt;&lt;p&gt;Plant Werkzeugwege auf Dreiecksnetzen.&lt;/p&gt;&lt;p&gt;Gebaut mit Qt %2, VTK, Eigen, OpenMesh und oneTBB.&lt;br&gt;Unter der Apache-Lizenz 2.0.&lt;/p&gt;</translation>
     </message>
     <message>
+        <source>A bar per candidate, as high as its machining time, in a strip for each stage of the study</source>
+        <translation>Ein Balken je Kandidat, so hoch wie seine Bearbeitungszeit, in einem Streifen für jede Stufe der Studie</translation>
+    </message>
+    <message>
         <source>A closed curve has three corners or more: click on the part.</source>
         <translation>Eine geschlossene Kurve hat drei Ecken oder mehr: auf das Teil klicken.</translation>
     </message>
@@ -10677,6 +10765,14 @@
     <message>
         <source>A helix, rings or lengthwise lines over a part that turns</source>
         <translation>Eine Wendel, Ringe oder Längslinien über ein drehendes Teil</translation>
+    </message>
+    <message>
+        <source>A line per candidate across an axis for everything that varies and for measures; a drag along an axis keeps a range of it</source>
+        <translation>Eine Linie je Kandidat über eine Achse für alles, was sich ändert, und für Maße; Ziehen entlang einer Achse behält einen Bereich</translation>
+    </message>
+    <message>
+        <source>A new study of this project</source>
+        <translation>Eine neue Studie dieses Projekts</translation>
     </message>
     <message>
         <source>A parameter is not valid: correct it before programs are written.</source>
@@ -10725,6 +10821,10 @@
     <message>
         <source>A step of its own: takes the least area</source>
         <translation>Ein eigener Schritt: nimmt am wenigsten Fläche</translation>
+    </message>
+    <message>
+        <source>A study works on the project as it is saved: save it first.</source>
+        <translation>Eine Studie arbeitet mit dem Projekt, wie es gespeichert ist: speichern Sie es zuerst.</translation>
     </message>
     <message>
         <source>A value is not valid</source>
@@ -10799,6 +10899,10 @@
         <translation>Werkzeug hinzufügen…</translation>
     </message>
     <message>
+        <source>Adopt candidate %1</source>
+        <translation>Kandidat %1 übernehmen</translation>
+    </message>
+    <message>
         <source>Advanced</source>
         <translation>Erweitert</translation>
     </message>
@@ -10817,6 +10921,10 @@
     <message>
         <source>Align edge with X</source>
         <translation>Kante nach X ausrichten</translation>
+    </message>
+    <message>
+        <source>All candidates as a table (CSV)</source>
+        <translation>Alle Kandidaten als Tabelle (CSV)</translation>
     </message>
     <message>
         <source>All chapters</source>
@@ -10939,12 +11047,28 @@
         <translation>Wie die Arbeitsumgebung es zeigte</translation>
     </message>
     <message>
+        <source>Ask anew, from the project as it is now</source>
+        <translation>Neu fragen, ausgehend vom Projekt, wie es jetzt ist</translation>
+    </message>
+    <message>
         <source>At %1: </source>
         <translation>Bei %1: </translation>
     </message>
     <message>
         <source>At a point</source>
         <translation>An einem Punkt</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>At most: %1</source>
+        <translation>Höchstens: %1</translation>
+    </message>
+    <message>
+        <source>At once</source>
+        <translation>Gleichzeitig</translation>
     </message>
     <message>
         <source>At which height of the box the zero is</source>
@@ -11063,6 +11187,38 @@
         <translation>Wird abgebrochen…</translation>
     </message>
     <message>
+        <source>Candidate %1</source>
+        <translation>Kandidat %1</translation>
+    </message>
+    <message>
+        <source>Candidate %1 is the project now. Undo takes it back.</source>
+        <translation>Kandidat %1 ist jetzt das Projekt. Rückgängig nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Candidate %1 is the project now; what was changed since the study began is as it was then. Undo takes it back.</source>
+        <translation>Kandidat %1 ist jetzt das Projekt; was seit Beginn der Studie geändert wurde, ist wieder wie damals. Rückgängig nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Candidate %1 wins: %2 of machining, against %3 of the project as it stands.</source>
+        <translation>Kandidat %1 gewinnt: %2 Bearbeitung gegenüber %3 beim Projekt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>Candidates by two measures; a line joins those that no other surpasses</source>
+        <translation>Kandidaten nach zwei Maßen; eine Linie verbindet die, die kein anderer übertrifft</translation>
+    </message>
+    <message>
+        <source>Candidates that are worked on at once; what comes out does not depend on it</source>
+        <translation>Kandidaten, an denen gleichzeitig gearbeitet wird; das Ergebnis hängt nicht davon ab</translation>
+    </message>
+    <message>
+        <source>Candidates: %1 to plan, about %2 to judge coarsely and %3 finely.</source>
+        <translation>Kandidaten: %1 zu planen, etwa %2 grob und %3 fein zu prüfen.</translation>
+    </message>
+    <message>
         <source>Cannot be judged</source>
         <translation>Nicht beurteilbar</translation>
     </message>
@@ -11109,6 +11265,14 @@
     <message>
         <source>Charts</source>
         <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Choose a candidate in a picture or in the table</source>
+        <translation>Wählen Sie einen Kandidaten in einem Bild oder in der Tabelle</translation>
+    </message>
+    <message>
+        <source>Choose a candidate in a picture or in the table.</source>
+        <translation>Wählen Sie einen Kandidaten in einem Bild oder in der Tabelle.</translation>
     </message>
     <message>
         <source>Choose a folder that is there</source>
@@ -11544,6 +11708,10 @@ unten</translation>
         <translation>Werkzeug bearbeiten…</translation>
     </message>
     <message>
+        <source>End the run at once; what was found is kept, and Resume goes on</source>
+        <translation>Den Lauf sofort beenden; was gefunden ist, bleibt, und Fortsetzen geht weiter</translation>
+    </message>
+    <message>
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
@@ -11564,8 +11732,20 @@ unten</translation>
         <translation>Geschätzte Bearbeitungszeit</translation>
     </message>
     <message>
+        <source>Everything that varies beside what comes of it; drag along an axis to keep a range, click it to let go</source>
+        <translation>Alles, was sich ändert, neben dem, was daraus wird; ziehen Sie entlang einer Achse, um einen Bereich zu behalten, ein Klick auf sie gibt ihn frei</translation>
+    </message>
+    <message>
         <source>Excess</source>
         <translation>Überstand</translation>
+    </message>
+    <message>
+        <source>Excess of 95 %</source>
+        <translation>Überstand von 95 %</translation>
+    </message>
+    <message>
+        <source>Excess of 99 %</source>
+        <translation>Überstand von 99 %</translation>
     </message>
     <message>
         <source>Excess, half below</source>
@@ -11626,6 +11806,14 @@ unten</translation>
     <message>
         <source>Export setup sheet</source>
         <translation>Einrichteblatt exportieren</translation>
+    </message>
+    <message>
+        <source>Export ta&amp;ble…</source>
+        <translation>Ta&amp;belle exportieren …</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Tabelle exportieren</translation>
     </message>
     <message>
         <source>Export the chart</source>
@@ -11833,6 +12021,10 @@ bei</translation>
         <translation>Nach Name, Form, Werkstoff oder Bibliothek suchen</translation>
     </message>
     <message>
+        <source>Find out which tools and settings serve best: many are planned and verified (S)</source>
+        <translation>Herausfinden, welche Werkzeuge und Einstellungen am besten taugen: viele werden geplant und geprüft (S)</translation>
+    </message>
+    <message>
         <source>Finding facets in a box</source>
         <translation>Facetten in einem Quader werden gesucht</translation>
     </message>
@@ -11863,6 +12055,10 @@ bei</translation>
     <message>
         <source>Flutes</source>
         <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>Folder of libraries and templates</source>
@@ -11923,6 +12119,14 @@ bei</translation>
     <message>
         <source>From setup “%1”: </source>
         <translation>Aus Aufspannung „%1“: </translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>Front of the study</source>
+        <translation>Front der Studie</translation>
     </message>
     <message>
         <source>Fusion</source>
@@ -12005,6 +12209,10 @@ bei</translation>
         <translation>Bereich vergrößern</translation>
     </message>
     <message>
+        <source>Handing the study over</source>
+        <translation>Die Studie wird übergeben</translation>
+    </message>
+    <message>
         <source>Height of the part as it lies</source>
         <translation>Höhe des Teils, wie es liegt</translation>
     </message>
@@ -12053,6 +12261,10 @@ bei</translation>
     <message>
         <source>How far its boundary lies outside the offset; double click to enter it</source>
         <translation>Wie weit die Begrenzung außerhalb des Versatzes liegt; Doppelklick zum Eingeben</translation>
+    </message>
+    <message>
+        <source>How far the study is</source>
+        <translation>Wie weit die Studie ist</translation>
     </message>
     <message>
         <source>How far the table may be tilted before the part falls</source>
@@ -12141,6 +12353,14 @@ bei</translation>
     <message>
         <source>Larger letters (Ctrl++)</source>
         <translation>Größere Schrift (Strg++)</translation>
+    </message>
+    <message>
+        <source>Largest cusp</source>
+        <translation>Größte Spitzenhöhe</translation>
+    </message>
+    <message>
+        <source>Largest excess</source>
+        <translation>Größter Überstand</translation>
     </message>
     <message>
         <source>Largest first</source>
@@ -12261,12 +12481,28 @@ auf, %1</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
+        <source>Looked at</source>
+        <translation>Angesehen</translation>
+    </message>
+    <message>
+        <source>Looking at the candidate</source>
+        <translation>Der Kandidat wird angesehen</translation>
+    </message>
+    <message>
         <source>Looking at the pass…</source>
         <translation>Die Bahn wird untersucht…</translation>
     </message>
     <message>
         <source>Looking at the path</source>
         <translation>Der Weg wird untersucht</translation>
+    </message>
+    <message>
+        <source>Looking at the study</source>
+        <translation>Die Studie wird angesehen</translation>
+    </message>
+    <message>
+        <source>Looking at what is known…</source>
+        <translation>Was bekannt ist, wird gelesen …</translation>
     </message>
     <message>
         <source>Looking for a hole</source>
@@ -12521,6 +12757,10 @@ auf, %1</translation>
         <translation>Nächster Punkt der Bahn (→; Umschalt: zehn)</translation>
     </message>
     <message>
+        <source>No candidate has been looked at yet.</source>
+        <translation>Noch ist kein Kandidat angesehen worden.</translation>
+    </message>
+    <message>
         <source>No defects found.</source>
         <translation>Keine Fehler gefunden.</translation>
     </message>
@@ -12641,6 +12881,14 @@ auf, %1</translation>
         <translation>Nichts ist geöffnet.</translation>
     </message>
     <message>
+        <source>Nothing is wanted: choose a measure.</source>
+        <translation>Nichts ist gewünscht: wählen Sie ein Maß.</translation>
+    </message>
+    <message>
+        <source>Nothing may vary: choose at least two values of something, such as two tools.</source>
+        <translation>Nichts darf sich ändern: wählen Sie mindestens zwei Werte von etwas, etwa zwei Werkzeuge.</translation>
+    </message>
+    <message>
         <source>Nothing moved</source>
         <translation>Nichts verschoben</translation>
     </message>
@@ -12693,6 +12941,14 @@ auf, %1</translation>
         <translation>Nummer des GOTO im Programm der Operation</translation>
     </message>
     <message>
+        <source>Numbers or %1, with a semicolon between them</source>
+        <translation>Zahlen oder %1, mit einem Semikolon dazwischen</translation>
+    </message>
+    <message>
+        <source>Numbers with a semicolon between them, %1</source>
+        <translation>Zahlen mit einem Semikolon dazwischen, %1</translation>
+    </message>
+    <message>
         <source>Of earlier jobs there: %1.</source>
         <translation>Von früheren Aufträgen dort: %1.</translation>
     </message>
@@ -12703,6 +12959,10 @@ auf, %1</translation>
     <message>
         <source>Of the stock</source>
         <translation>Des Rohteils</translation>
+    </message>
+    <message>
+        <source>Of those that meet all limits, the one with the least of this wins</source>
+        <translation>Von denen, die alle Grenzen einhalten, gewinnt der mit dem Geringsten davon</translation>
     </message>
     <message>
         <source>Of which operation</source>
@@ -12757,6 +13017,10 @@ auf, %1</translation>
         <translation>Ein Netz öffnen, hierher ziehen oder ein Beispiel nehmen. STL-Dateien haben keine Einheit: die Größen sagen sie.</translation>
     </message>
     <message>
+        <source>Open a study's file, or the folder of one</source>
+        <translation>Die Datei einer Studie öffnen, oder ihren Ordner</translation>
+    </message>
+    <message>
         <source>Open edges</source>
         <translation>Offene Kanten</translation>
     </message>
@@ -12773,8 +13037,16 @@ auf, %1</translation>
         <translation>Programm öffnen</translation>
     </message>
     <message>
+        <source>Open study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
         <source>Opened %1.</source>
         <translation>%1 geöffnet.</translation>
+    </message>
+    <message>
+        <source>Opening the study</source>
+        <translation>Die Studie wird geöffnet</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -12791,6 +13063,10 @@ auf, %1</translation>
     <message>
         <source>Operations, tools and settings as</source>
         <translation>Operationen, Werkzeuge und Einstellungen als</translation>
+    </message>
+    <message>
+        <source>Order of operations</source>
+        <translation>Reihenfolge der Operationen</translation>
     </message>
     <message>
         <source>Others</source>
@@ -12873,6 +13149,10 @@ auf, %1</translation>
         <translation>Paare von Facetten, die sich durchdringen</translation>
     </message>
     <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -12919,6 +13199,10 @@ auf, %1</translation>
     <message>
         <source>Paste operation</source>
         <translation>Operation einfügen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
     </message>
     <message>
         <source>Path by</source>
@@ -12997,6 +13281,10 @@ auf, %1</translation>
         <translation>Planen und prüfen</translation>
     </message>
     <message>
+        <source>Plan and verify the candidates in the background</source>
+        <translation>Die Kandidaten im Hintergrund planen und prüfen</translation>
+    </message>
+    <message>
         <source>Plan anyway</source>
         <translation>Trotzdem planen</translation>
     </message>
@@ -13023,6 +13311,10 @@ auf, %1</translation>
     <message>
         <source>Planned</source>
         <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Planned %1 of %2, judged coarsely %3 of about %4, finely %5 of about %6.</source>
+        <translation>Geplant %1 von %2, grob geprüft %3 von etwa %4, fein %5 von etwa %6.</translation>
     </message>
     <message>
         <source>Planned as kept: </source>
@@ -13113,6 +13405,10 @@ auf, %1</translation>
         <translation>Projekt</translation>
     </message>
     <message>
+        <source>Put the chosen candidate into the project, as one step that Undo takes back</source>
+        <translation>Den gewählten Kandidaten in das Projekt übernehmen, als ein Schritt, den Rückgängig zurücknimmt</translation>
+    </message>
+    <message>
         <source>Put the steps away</source>
         <translation>Die Schritte wegräumen</translation>
     </message>
@@ -13131,6 +13427,10 @@ auf, %1</translation>
     <message>
         <source>Puts the recipe into the project, as one step that can be undone</source>
         <translation>Setzt das Rezept in das Projekt, als einen Schritt, der sich rückgängig machen lässt</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -13289,6 +13589,10 @@ auf, %1</translation>
         <translation>Bericht</translation>
     </message>
     <message>
+        <source>Report of the candidate</source>
+        <translation>Bericht des Kandidaten</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
     </message>
@@ -13335,6 +13639,10 @@ auf, %1</translation>
     <message>
         <source>Running these programs can damage part, tool and machine.</source>
         <translation>Diese Programme laufen zu lassen kann Teil, Werkzeug und Maschine beschädigen.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>An&amp;halten</translation>
     </message>
     <message>
         <source>Sa&amp;ve as template…</source>
@@ -13447,6 +13755,10 @@ auf, %1</translation>
     <message>
         <source>Settings of Rework Region: see, limit and edit what the smaller tool cuts</source>
         <translation>Einstellungen der Nacharbeitsbereiche: sehen, begrenzen und ändern, was das kleinere Werkzeug fräst</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Shank</source>
@@ -13577,6 +13889,10 @@ auf, %1</translation>
         <translation>Rauschen glätten</translation>
     </message>
     <message>
+        <source>So many of the combinations, chosen by chance, the same each time; 0: all</source>
+        <translation>So viele der Kombinationen, zufällig gewählt, jedes Mal dieselben; 0: alle</translation>
+    </message>
+    <message>
         <source>SolidWorks</source>
         <translation>SolidWorks</translation>
     </message>
@@ -13601,8 +13917,24 @@ auf, %1</translation>
         <translation>Teil ausrichten</translation>
     </message>
     <message>
+        <source>Stages</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Stages of the study</source>
+        <translation>Stufen der Studie</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
         <source>Step %1 could not be carried out.</source>
         <translation>Schritt %1 konnte nicht ausgeführt werden.</translation>
+    </message>
+    <message>
+        <source>Step %1 is with Slurm, jobs %2 and %3.</source>
+        <translation>Schritt %1 ist bei Slurm, Aufträge %2 und %3.</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -13661,8 +13993,20 @@ auf, %1</translation>
         <translation>Die Vorschau anhalten (Esc)</translation>
     </message>
     <message>
+        <source>Stopped. Resume goes on with what was found.</source>
+        <translation>Angehalten. Fortsetzen macht mit dem weiter, was gefunden ist.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
         <source>Straighten, move, mirror</source>
         <translation>Geraderichten, verschieben, spiegeln</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
     </message>
     <message>
         <source>Strip</source>
@@ -13675,6 +14019,18 @@ auf, %1</translation>
     <message>
         <source>Strips of clean-up come here: add a clean-up operation and plan it</source>
         <translation>Hier stehen die Streifen der Restbearbeitung: eine solche Operation hinzufügen und planen</translation>
+    </message>
+    <message>
+        <source>Stud&amp;y…</source>
+        <translation>Stud&amp;ie …</translation>
+    </message>
+    <message>
+        <source>Studies (*.study.json request.json)</source>
+        <translation>Studien (*.study.json request.json)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Su&amp;ggest</source>
@@ -13729,6 +14085,10 @@ auf, %1</translation>
 %3, %4</source>
         <translation>T%1  %2
 %3, %4</translation>
+    </message>
+    <message>
+        <source>T%1 %2</source>
+        <translation>T%1 %2</translation>
     </message>
     <message>
         <source>T%1 in regions</source>
@@ -13837,6 +14197,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The box takes facets that are not seen from here as well</source>
         <translation>Das Rechteck nimmt auch Facetten, die von hier nicht zu sehen sind</translation>
+    </message>
+    <message>
+        <source>The candidate is planned and judged</source>
+        <translation>Der Kandidat wird geplant und geprüft</translation>
     </message>
     <message>
         <source>The clipboard holds no operation: copy one in the tree first (Ctrl+C).</source>
@@ -13987,12 +14351,20 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Die Wege auf dem Teil (F8)</translation>
     </message>
     <message>
+        <source>The picture that is seen, as PNG</source>
+        <translation>Das Bild, das zu sehen ist, als PNG</translation>
+    </message>
+    <message>
         <source>The posture kept for the point is forgotten. Plan again to choose one.</source>
         <translation>Die festgehaltene Stellung des Punktes ist vergessen. Neu planen, um eine zu wählen.</translation>
     </message>
     <message>
         <source>The programs and their report are written into a folder: %1.</source>
         <translation>Die Programme und ihr Bericht werden in einen Ordner geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>The project as it stands</source>
+        <translation>Das Projekt, wie es ist</translation>
     </message>
     <message>
         <source>The project has changed since. What is shown here is of the plan as it was.</source>
@@ -14023,8 +14395,20 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Rezept des Scan-Raums wurde ausgeführt</translation>
     </message>
     <message>
+        <source>The setup that is shown</source>
+        <translation>Die Aufspannung, die gezeigt wird</translation>
+    </message>
+    <message>
         <source>The stock as the tool cuts it (F10)</source>
         <translation>Das Rohteil, wie das Werkzeug es fräst (F10)</translation>
+    </message>
+    <message>
+        <source>The study is not at its end: Resume goes on with it.</source>
+        <translation>Die Studie ist nicht am Ende: Fortsetzen macht mit ihr weiter.</translation>
+    </message>
+    <message>
+        <source>The study is of another part, %1: open its project first.</source>
+        <translation>Die Studie gehört zu einem anderen Teil, %1: öffnen Sie zuerst dessen Projekt.</translation>
     </message>
     <message>
         <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
@@ -14047,6 +14431,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Werkzeug neigt sich, sodass ein flacher oder torischer Fräser breite Streifen fräst</translation>
     </message>
     <message>
+        <source>The tool's path</source>
+        <translation>Die Bahn des Werkzeugs</translation>
+    </message>
+    <message>
         <source>The tried posture is not free: it would not be used</source>
         <translation>Die probierte Stellung ist nicht frei: sie würde nicht verwendet</translation>
     </message>
@@ -14065,6 +14453,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The window speaks it after the next start.</source>
         <translation>Das Fenster spricht sie nach dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>The winner has the least</source>
+        <translation>Der Gewinner hat am wenigsten</translation>
     </message>
     <message>
         <source>The zero is on the axis of a %1 of Ø %2, which is round to %3.</source>
@@ -14099,6 +14491,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Es gibt kein Beispiel „%1“</translation>
     </message>
     <message>
+        <source>There is nothing to adopt.</source>
+        <translation>Es gibt nichts zu übernehmen.</translation>
+    </message>
+    <message>
         <source>There is nothing to compare</source>
         <translation>Es gibt nichts zu vergleichen</translation>
     </message>
@@ -14115,6 +14511,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Noch nichts zu berichten: nicht jede Operation ist geplant, wie sie dasteht. Zuerst Planen (F5).</translation>
     </message>
     <message>
+        <source>These are more than %1 combinations: let less vary, or try some of them.</source>
+        <translation>Das sind mehr als %1 Kombinationen: lassen Sie weniger sich ändern, oder versuchen Sie einige davon.</translation>
+    </message>
+    <message>
         <source>These values make no cutter.
 %1</source>
         <translation>Diese Werte ergeben keinen Fräser.
@@ -14123,6 +14523,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Thicken a sheet</source>
         <translation>Fläche verdicken</translation>
+    </message>
+    <message>
+        <source>This candidate has not been verified finely.</source>
+        <translation>Dieser Kandidat ist nicht fein geprüft worden.</translation>
     </message>
     <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
@@ -14145,6 +14549,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Beurteilt wurde nur diese Aufspannung, nicht der ganze Auftrag.</translation>
     </message>
     <message>
+        <source>Those that are ticked make the front; a limit is a number, or ×1.1 for 1.1 times what the project comes to</source>
+        <translation>Die angekreuzten bilden die Front; eine Grenze ist eine Zahl, oder ×1,1 für das 1,1-Fache dessen, worauf das Projekt kommt</translation>
+    </message>
+    <message>
+        <source>Tick the tools and strategies that may serve; write several numbers with a semicolon between them</source>
+        <translation>Kreuzen Sie die Werkzeuge und Strategien an, die taugen könnten; schreiben Sie mehrere Zahlen mit einem Semikolon dazwischen</translation>
+    </message>
+    <message>
         <source>Time (%1)</source>
         <translation>Zeit (%1)</translation>
     </message>
@@ -14165,8 +14577,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Bis</translation>
     </message>
     <message>
+        <source>To be kept small</source>
+        <translation>Klein zu halten</translation>
+    </message>
+    <message>
         <source>To the end</source>
         <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
     </message>
     <message>
         <source>To the start</source>
@@ -14211,6 +14631,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Tool back to the planned posture</source>
         <translation>Werkzeug zurück in die geplante Stellung</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Werkzeugwechsel</translation>
     </message>
     <message>
         <source>Tool diameter (%1), lead limit %2</source>
@@ -14349,6 +14773,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Zwei Berührpunkte</translation>
     </message>
     <message>
+        <source>Two measures against each other; the line joins the best</source>
+        <translation>Zwei Maße gegeneinander; die Linie verbindet die besten</translation>
+    </message>
+    <message>
         <source>Type</source>
         <translation>Art</translation>
     </message>
@@ -14409,8 +14837,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Nicht gespeicherte Arbeit</translation>
     </message>
     <message>
+        <source>Upward</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
         <source>Use %1</source>
         <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Verification</source>
@@ -14497,6 +14933,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
+        <source>View of the candidate</source>
+        <translation>Ansicht des Kandidaten</translation>
+    </message>
+    <message>
         <source>Watertight</source>
         <translation>Wasserdicht</translation>
     </message>
@@ -14517,12 +14957,36 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was alle Operationen vom Rohteil übrig lassen, als STL, 3MF oder PLY</translation>
     </message>
     <message>
+        <source>What came of each candidate, planned, judged coarsely and finely</source>
+        <translation>Was aus jedem Kandidaten wurde: geplant, grob und fein geprüft</translation>
+    </message>
+    <message>
+        <source>What is drawn to the right</source>
+        <translation>Was nach rechts aufgetragen ist</translation>
+    </message>
+    <message>
+        <source>What is drawn upward</source>
+        <translation>Was nach oben aufgetragen ist</translation>
+    </message>
+    <message>
+        <source>What is left and what is missing, in colours</source>
+        <translation>Was stehen bleibt und was fehlt, in Farben</translation>
+    </message>
+    <message>
         <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
         <translation>Näheres ist größer; einen Maßstab gibt es dann nicht (Umschalt+P)</translation>
     </message>
     <message>
         <source>What is not saved cannot be kept for the case of a crash: %1. Save the project.</source>
         <translation>Nicht Gespeichertes kann für den Fall eines Absturzes nicht gesichert werden: %1. Das Projekt speichern.</translation>
+    </message>
+    <message>
+        <source>What is wanted</source>
+        <translation>Was gewünscht ist</translation>
+    </message>
+    <message>
+        <source>What may vary</source>
+        <translation>Was sich ändern darf</translation>
     </message>
     <message>
         <source>What the chart shows: the angles of the rotary axes, or the step-over along the part</source>
@@ -14545,8 +15009,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was die Schritte für alle Löcher zu seiner Größe sagen</translation>
     </message>
     <message>
+        <source>What the study asks</source>
+        <translation>Was die Studie fragt</translation>
+    </message>
+    <message>
         <source>What the view shows</source>
         <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>What varies, and what comes of it</source>
+        <translation>Was sich ändert, und was daraus wird</translation>
     </message>
     <message>
         <source>What was kept of %1 is damaged, and is not used: plan again.</source>
@@ -14561,12 +15033,20 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Geplantes wird nicht mit dem Projekt aufbewahrt: %1.</translation>
     </message>
     <message>
+        <source>Where candidates are planned and verified; a cluster sees the folder under the same name</source>
+        <translation>Wo Kandidaten geplant und geprüft werden; ein Cluster sieht den Ordner unter demselben Namen</translation>
+    </message>
+    <message>
         <source>While a boundary is painted</source>
         <translation>Während eine Begrenzung gemalt wird</translation>
     </message>
     <message>
         <source>Whose box the zero is on; it goes with it</source>
         <translation>Auf wessen Quader der Nullpunkt liegt; er geht mit ihm</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Warum nicht</translation>
     </message>
     <message>
         <source>Width</source>
@@ -14589,8 +15069,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Arbeit</translation>
     </message>
     <message>
+        <source>Work on</source>
+        <translation>Arbeiten auf</translation>
+    </message>
+    <message>
         <source>Work zero</source>
         <translation>Werkstücknullpunkt</translation>
+    </message>
+    <message>
+        <source>Working on the study</source>
+        <translation>An der Studie wird gearbeitet</translation>
     </message>
     <message>
         <source>Write the chosen tools, or all that are shown, for another program</source>
@@ -14653,6 +15141,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Zoom: Rad oder rechte Taste</translation>
     </message>
     <message>
+        <source>a Slurm cluster</source>
+        <translation>einem Slurm-Cluster</translation>
+    </message>
+    <message>
         <source>a comma is not a decimal mark</source>
         <translation>ein Komma ist kein Dezimalzeichen</translation>
     </message>
@@ -14669,8 +15161,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>über %1: %2</translation>
     </message>
     <message>
+        <source>against</source>
+        <translation>gegen</translation>
+    </message>
+    <message>
         <source>all</source>
         <translation>alle</translation>
+    </message>
+    <message>
+        <source>all combinations</source>
+        <translation>alle Kombinationen</translation>
     </message>
     <message>
         <source>all of the cutter</source>
@@ -14683,6 +15183,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>any</source>
         <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>wie es ist</translation>
     </message>
     <message>
         <source>as the desktop</source>
@@ -14699,6 +15203,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>ask each time</source>
         <translation>jedes Mal fragen</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>dahinter</translation>
     </message>
     <message>
         <source>below %1</source>
@@ -14761,6 +15269,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Abweichung</translation>
     </message>
     <message>
+        <source>did not pass</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
         <source>doubled facet gone</source>
         <translation>doppelte Facette entfernt</translation>
     </message>
@@ -14815,6 +15327,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>enter a number</source>
         <translation>eine Zahl eingeben</translation>
+    </message>
+    <message>
+        <source>every order</source>
+        <translation>jede Reihenfolge</translation>
     </message>
     <message>
         <source>everywhere</source>
@@ -14961,6 +15477,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>aus der Toleranz</translation>
     </message>
     <message>
+        <source>front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
         <source>goes</source>
         <translation>fällt weg</translation>
     </message>
@@ -15023,6 +15543,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>isometric, front, top, right, rear, bottom, left</source>
         <translation>isometrisch, vorn, oben, rechts, hinten, unten, links</translation>
+    </message>
+    <message>
+        <source>judged coarsely</source>
+        <translation>grob geprüft</translation>
+    </message>
+    <message>
+        <source>judged finely</source>
+        <translation>fein geprüft</translation>
     </message>
     <message>
         <source>keeps Z upright</source>
@@ -15137,6 +15665,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>keine: nur APT</translation>
     </message>
     <message>
+        <source>not looked at</source>
+        <translation>nicht angesehen</translation>
+    </message>
+    <message>
         <source>not reached by any</source>
         <translation>von keinem erreicht</translation>
     </message>
@@ -15193,6 +15725,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>offene Kanten</translation>
     </message>
     <message>
+        <source>out</source>
+        <translation>ausgeschieden</translation>
+    </message>
+    <message>
         <source>out of date</source>
         <translation>veraltet</translation>
     </message>
@@ -15207,6 +15743,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>part</source>
         <translation>Teil</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>piece gone</source>
@@ -15285,6 +15825,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Rohteil</translation>
     </message>
     <message>
+        <source>study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
         <source>the %1's file “%2”</source>
         <translation>die Datei „%2“ (%1)</translation>
     </message>
@@ -15313,12 +15857,20 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>das ausgegebene Programm, %1 Sätze</translation>
     </message>
     <message>
+        <source>the project</source>
+        <translation>das Projekt</translation>
+    </message>
+    <message>
         <source>the stock's box</source>
         <translation>der Quader des Rohteils</translation>
     </message>
     <message>
         <source>the tip</source>
         <translation>die Spitze</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>diesem Rechner</translation>
     </message>
     <message>
         <source>through two points</source>
@@ -15341,6 +15893,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>rückgängig, wiederholen</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
         <source>unnamed</source>
         <translation>unbenannt</translation>
     </message>
@@ -15355,6 +15911,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>use a point: 0.5</source>
         <translation>einen Punkt verwenden: 0.5</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>geprüft</translation>
     </message>
     <message>
         <source>verify</source>
@@ -15389,12 +15949,20 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Ecken ohne Richtung</translation>
     </message>
     <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
         <source>watertight</source>
         <translation>wasserdicht</translation>
     </message>
     <message>
         <source>where it touches</source>
         <translation>wo er berührt</translation>
+    </message>
+    <message>
+        <source>winner</source>
+        <translation>Gewinner</translation>
     </message>
     <message>
         <source>with the configuration space in view: points along the pass, passes</source>

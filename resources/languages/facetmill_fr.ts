@@ -88,6 +88,10 @@
         <translation>'{1}' n'est pas une lettre et un nombre</translation>
     </message>
     <message>
+        <source>'{1}' is no limit</source>
+        <translation>« {1} » n&apos;est pas une limite</translation>
+    </message>
+    <message>
         <source>'{1}' is no list</source>
         <translation>'{1}' n'est pas une liste</translation>
     </message>
@@ -7900,6 +7904,10 @@
         <translation>le programme qui lit ces fichiers, {1}, n'est pas là</translation>
     </message>
     <message>
+        <source>the program that works on studies, facetmill-cli, is not here</source>
+        <translation>le programme qui travaille aux études, facetmill-cli, n&apos;est pas là</translation>
+    </message>
+    <message>
         <source>the program that wrote it is wrong: export the part by another one</source>
         <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
     </message>
@@ -9272,6 +9280,10 @@
         <translation>écrire un nombre de taille ordinaire</translation>
     </message>
     <message>
+        <source>write a number, or ×1.1 for 1.1 times what the project comes to</source>
+        <translation>écrire un nombre, ou ×1,1 pour 1,1 fois ce à quoi le projet arrive</translation>
+    </message>
+    <message>
         <source>write a place of the project's file, as operations[Finish].tolerance</source>
         <translation>écrire un endroit du fichier du projet, comme operations[Finish].tolerance</translation>
     </message>
@@ -10123,12 +10135,28 @@
         <translation>%1 %2, %3 : %4</translation>
     </message>
     <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 (library)</source>
+        <translation>%1 (bibliothèque)</translation>
+    </message>
+    <message>
+        <source>%1 (min)</source>
+        <translation>%1 (min)</translation>
+    </message>
+    <message>
         <source>%1 (missing)</source>
         <translation>%1 (manque)</translation>
+    </message>
+    <message>
+        <source>%1 About %2 on this computer, as long as the project itself took.</source>
+        <translation>%1 Environ %2 sur cet ordinateur, d&apos;après ce que le projet lui-même a pris.</translation>
     </message>
     <message>
         <source>%1 CC points</source>
@@ -10137,6 +10165,26 @@
     <message>
         <source>%1 GOTO/s</source>
         <translation>%1 GOTO/s</translation>
+    </message>
+    <message>
+        <source>%1 How long that takes is told here once the project is planned and verified.</source>
+        <translation>%1 La durée est dite ici dès que le projet est planifié et vérifié.</translation>
+    </message>
+    <message>
+        <source>%1 It goes on there: scancel ends it.</source>
+        <translation>%1 Le travail y continue : scancel y met fin.</translation>
+    </message>
+    <message>
+        <source>%1 Looks that are missing: %2.</source>
+        <translation>%1 Examens qui manquent : %2.</translation>
+    </message>
+    <message>
+        <source>%1 Lost: %2 (%3).</source>
+        <translation>%1 Perdus : %2 (%3).</translation>
+    </message>
+    <message>
+        <source>%1 Still about %2.</source>
+        <translation>%1 Encore %2 environ.</translation>
     </message>
     <message>
         <source>%1 across</source>
@@ -10278,9 +10326,21 @@
         <source>%1, %2 % of the surface</source>
         <translation>%1, %2 % de la surface</translation>
     </message>
+    <message>
+        <source>%1, %2 of them passed</source>
+        <translation>%1, dont réussis : %2</translation>
+    </message>
     <message numerus="yes">
         <source>%1, %2 passes</source>
         <translation><numerusform>%1, %2 passe</numerusform><numerusform>%1, %2 passes</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, %2: choose at least one value.</source>
+        <translation>%1, %2 : choisissez au moins une valeur.</translation>
+    </message>
+    <message>
+        <source>%1, at most %2</source>
+        <translation>%1, au plus %2</translation>
     </message>
     <message>
         <source>%1, or a Facetmill project</source>
@@ -10301,6 +10361,10 @@
     <message>
         <source>%1: %2 rpm, %3 %4</source>
         <translation>%1 : %2 tr/min, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 times what the project comes to</source>
+        <translation>%1 : %2 fois ce à quoi le projet arrive</translation>
     </message>
     <message>
         <source>%1: %2. %3</source>
@@ -10349,6 +10413,10 @@
     <message>
         <source>&amp;Add to project</source>
         <translation>&amp;Ajouter au projet</translation>
+    </message>
+    <message>
+        <source>&amp;Adopt</source>
+        <translation>Ado&amp;pter</translation>
     </message>
     <message>
         <source>&amp;As the other holes</source>
@@ -10495,8 +10563,16 @@
         <translation>&amp;Nouveau</translation>
     </message>
     <message>
+        <source>&amp;New study</source>
+        <translation>&amp;Nouvelle étude</translation>
+    </message>
+    <message>
         <source>&amp;Not now</source>
         <translation>&amp;Pas maintenant</translation>
+    </message>
+    <message>
+        <source>&amp;Open study…</source>
+        <translation>&amp;Ouvrir une étude…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -10523,6 +10599,10 @@
         <translation>&amp;Restaurer</translation>
     </message>
     <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
         <source>&amp;Save</source>
         <translation>&amp;Enregistrer</translation>
     </message>
@@ -10533,6 +10613,10 @@
     <message>
         <source>&amp;Smooth</source>
         <translation>&amp;Lissé</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Démarrer</translation>
     </message>
     <message>
         <source>&amp;Stock…</source>
@@ -10667,6 +10751,10 @@
         <translation>&lt;h3&gt;Facetmill %1&lt;/h3&gt;&lt;p&gt;Planifie des parcours d'outil sur des maillages de triangles.&lt;/p&gt;&lt;p&gt;Construit avec Qt %2, VTK, Eigen, OpenMesh et oneTBB.&lt;br&gt;Sous licence Apache 2.0.&lt;/p&gt;</translation>
     </message>
     <message>
+        <source>A bar per candidate, as high as its machining time, in a strip for each stage of the study</source>
+        <translation>Une barre par candidat, haute comme son temps d&apos;usinage, dans une bande pour chaque étape de l&apos;étude</translation>
+    </message>
+    <message>
         <source>A closed curve has three corners or more: click on the part.</source>
         <translation>Une courbe fermée a trois sommets ou plus : cliquer sur la pièce.</translation>
     </message>
@@ -10677,6 +10765,14 @@
     <message>
         <source>A helix, rings or lengthwise lines over a part that turns</source>
         <translation>Une hélice, des anneaux ou des lignes en long sur une pièce qui tourne</translation>
+    </message>
+    <message>
+        <source>A line per candidate across an axis for everything that varies and for measures; a drag along an axis keeps a range of it</source>
+        <translation>Une ligne par candidat à travers un axe pour tout ce qui varie et pour les mesures ; glisser le long d&apos;un axe en garde une plage</translation>
+    </message>
+    <message>
+        <source>A new study of this project</source>
+        <translation>Une nouvelle étude de ce projet</translation>
     </message>
     <message>
         <source>A parameter is not valid: correct it before programs are written.</source>
@@ -10725,6 +10821,10 @@
     <message>
         <source>A step of its own: takes the least area</source>
         <translation>Une étape à part : prend le moins d'aire</translation>
+    </message>
+    <message>
+        <source>A study works on the project as it is saved: save it first.</source>
+        <translation>Une étude travaille sur le projet tel qu&apos;il est enregistré : enregistrez-le d&apos;abord.</translation>
     </message>
     <message>
         <source>A value is not valid</source>
@@ -10799,6 +10899,10 @@
         <translation>Ajouter un outil…</translation>
     </message>
     <message>
+        <source>Adopt candidate %1</source>
+        <translation>Adopter le candidat %1</translation>
+    </message>
+    <message>
         <source>Advanced</source>
         <translation>Avancé</translation>
     </message>
@@ -10817,6 +10921,10 @@
     <message>
         <source>Align edge with X</source>
         <translation>Aligner l'arête sur X</translation>
+    </message>
+    <message>
+        <source>All candidates as a table (CSV)</source>
+        <translation>Tous les candidats en tableau (CSV)</translation>
     </message>
     <message>
         <source>All chapters</source>
@@ -10939,12 +11047,28 @@
         <translation>Tel que l'atelier l'a montré</translation>
     </message>
     <message>
+        <source>Ask anew, from the project as it is now</source>
+        <translation>Demander à nouveau, à partir du projet tel qu&apos;il est</translation>
+    </message>
+    <message>
         <source>At %1: </source>
         <translation>À %1 : </translation>
     </message>
     <message>
         <source>At a point</source>
         <translation>En un point</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>At most: %1</source>
+        <translation>Au plus : %1</translation>
+    </message>
+    <message>
+        <source>At once</source>
+        <translation>À la fois</translation>
     </message>
     <message>
         <source>At which height of the box the zero is</source>
@@ -11063,6 +11187,38 @@
         <translation>Annulation…</translation>
     </message>
     <message>
+        <source>Candidate %1</source>
+        <translation>Candidat %1</translation>
+    </message>
+    <message>
+        <source>Candidate %1 is the project now. Undo takes it back.</source>
+        <translation>Le candidat %1 est maintenant le projet. Annuler revient en arrière.</translation>
+    </message>
+    <message>
+        <source>Candidate %1 is the project now; what was changed since the study began is as it was then. Undo takes it back.</source>
+        <translation>Le candidat %1 est maintenant le projet ; ce qui a changé depuis le début de l&apos;étude est comme alors. Annuler revient en arrière.</translation>
+    </message>
+    <message>
+        <source>Candidate %1 wins: %2 of machining, against %3 of the project as it stands.</source>
+        <translation>Le candidat %1 gagne : %2 d&apos;usinage, contre %3 pour le projet tel quel.</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Candidats</translation>
+    </message>
+    <message>
+        <source>Candidates by two measures; a line joins those that no other surpasses</source>
+        <translation>Candidats selon deux mesures ; une ligne joint ceux qu&apos;aucun autre ne surpasse</translation>
+    </message>
+    <message>
+        <source>Candidates that are worked on at once; what comes out does not depend on it</source>
+        <translation>Candidats traités à la fois ; le résultat n&apos;en dépend pas</translation>
+    </message>
+    <message>
+        <source>Candidates: %1 to plan, about %2 to judge coarsely and %3 finely.</source>
+        <translation>Candidats : %1 à planifier, environ %2 à juger grossièrement et %3 finement.</translation>
+    </message>
+    <message>
         <source>Cannot be judged</source>
         <translation>Impossible à juger</translation>
     </message>
@@ -11109,6 +11265,14 @@
     <message>
         <source>Charts</source>
         <translation>Diagrammes</translation>
+    </message>
+    <message>
+        <source>Choose a candidate in a picture or in the table</source>
+        <translation>Choisissez un candidat dans une image ou dans le tableau</translation>
+    </message>
+    <message>
+        <source>Choose a candidate in a picture or in the table.</source>
+        <translation>Choisissez un candidat dans une image ou dans le tableau.</translation>
     </message>
     <message>
         <source>Choose a folder that is there</source>
@@ -11543,6 +11707,10 @@
         <translation>Modifier l'outil…</translation>
     </message>
     <message>
+        <source>End the run at once; what was found is kept, and Resume goes on</source>
+        <translation>Terminer aussitôt ; ce qui est trouvé est gardé, et Reprendre continue</translation>
+    </message>
+    <message>
         <source>Enter</source>
         <translation>Entrée</translation>
     </message>
@@ -11563,8 +11731,20 @@
         <translation>Temps d'usinage estimé</translation>
     </message>
     <message>
+        <source>Everything that varies beside what comes of it; drag along an axis to keep a range, click it to let go</source>
+        <translation>Tout ce qui varie à côté de ce qui en résulte ; glissez le long d&apos;un axe pour garder une plage, un clic la libère</translation>
+    </message>
+    <message>
         <source>Excess</source>
         <translation>Excédent</translation>
+    </message>
+    <message>
+        <source>Excess of 95 %</source>
+        <translation>Excédent de 95 %</translation>
+    </message>
+    <message>
+        <source>Excess of 99 %</source>
+        <translation>Excédent de 99 %</translation>
     </message>
     <message>
         <source>Excess, half below</source>
@@ -11625,6 +11805,14 @@
     <message>
         <source>Export setup sheet</source>
         <translation>Exporter la fiche de réglage</translation>
+    </message>
+    <message>
+        <source>Export ta&amp;ble…</source>
+        <translation>Exporter le ta&amp;bleau…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exporter le tableau</translation>
     </message>
     <message>
         <source>Export the chart</source>
@@ -11831,6 +12019,10 @@
         <translation>Chercher par nom, forme, matière ou bibliothèque</translation>
     </message>
     <message>
+        <source>Find out which tools and settings serve best: many are planned and verified (S)</source>
+        <translation>Trouver les outils et réglages qui servent le mieux : beaucoup sont planifiés et vérifiés (S)</translation>
+    </message>
+    <message>
         <source>Finding facets in a box</source>
         <translation>Recherche des facettes dans une boîte</translation>
     </message>
@@ -11861,6 +12053,10 @@
     <message>
         <source>Flutes</source>
         <translation>Dents</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
     </message>
     <message>
         <source>Folder of libraries and templates</source>
@@ -11921,6 +12117,14 @@
     <message>
         <source>From setup “%1”: </source>
         <translation>Du posage « %1 » : </translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>Front of the study</source>
+        <translation>Front de l&apos;étude</translation>
     </message>
     <message>
         <source>Fusion</source>
@@ -12003,6 +12207,10 @@
         <translation>Agrandir la zone</translation>
     </message>
     <message>
+        <source>Handing the study over</source>
+        <translation>Remise de l&apos;étude</translation>
+    </message>
+    <message>
         <source>Height of the part as it lies</source>
         <translation>Hauteur de la pièce posée</translation>
     </message>
@@ -12051,6 +12259,10 @@
     <message>
         <source>How far its boundary lies outside the offset; double click to enter it</source>
         <translation>De combien la limite dépasse le décalage ; double-clic pour la saisir</translation>
+    </message>
+    <message>
+        <source>How far the study is</source>
+        <translation>Avancement de l&apos;étude</translation>
     </message>
     <message>
         <source>How far the table may be tilted before the part falls</source>
@@ -12139,6 +12351,14 @@
     <message>
         <source>Larger letters (Ctrl++)</source>
         <translation>Lettres plus grandes (Ctrl++)</translation>
+    </message>
+    <message>
+        <source>Largest cusp</source>
+        <translation>Crête la plus haute</translation>
+    </message>
+    <message>
+        <source>Largest excess</source>
+        <translation>Plus grand excédent</translation>
     </message>
     <message>
         <source>Largest first</source>
@@ -12259,12 +12479,28 @@
         <translation>Journal</translation>
     </message>
     <message>
+        <source>Looked at</source>
+        <translation>Examiné</translation>
+    </message>
+    <message>
+        <source>Looking at the candidate</source>
+        <translation>Examen du candidat</translation>
+    </message>
+    <message>
         <source>Looking at the pass…</source>
         <translation>Examen de la passe…</translation>
     </message>
     <message>
         <source>Looking at the path</source>
         <translation>Examen du parcours</translation>
+    </message>
+    <message>
+        <source>Looking at the study</source>
+        <translation>Examen de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Looking at what is known…</source>
+        <translation>Lecture de ce qui est connu…</translation>
     </message>
     <message>
         <source>Looking for a hole</source>
@@ -12519,6 +12755,10 @@
         <translation>Point suivant de la passe (→ ; Maj : dix)</translation>
     </message>
     <message>
+        <source>No candidate has been looked at yet.</source>
+        <translation>Aucun candidat n&apos;a encore été examiné.</translation>
+    </message>
+    <message>
         <source>No defects found.</source>
         <translation>Aucun défaut trouvé.</translation>
     </message>
@@ -12639,6 +12879,14 @@
         <translation>Rien n'est ouvert.</translation>
     </message>
     <message>
+        <source>Nothing is wanted: choose a measure.</source>
+        <translation>Rien n&apos;est souhaité : choisissez une mesure.</translation>
+    </message>
+    <message>
+        <source>Nothing may vary: choose at least two values of something, such as two tools.</source>
+        <translation>Rien ne peut varier : choisissez au moins deux valeurs de quelque chose, par exemple deux outils.</translation>
+    </message>
+    <message>
         <source>Nothing moved</source>
         <translation>Rien n'a bougé</translation>
     </message>
@@ -12691,6 +12939,14 @@
         <translation>Numéro du GOTO dans le programme de l'opération</translation>
     </message>
     <message>
+        <source>Numbers or %1, with a semicolon between them</source>
+        <translation>Nombres ou %1, séparés par un point-virgule</translation>
+    </message>
+    <message>
+        <source>Numbers with a semicolon between them, %1</source>
+        <translation>Nombres séparés par un point-virgule, %1</translation>
+    </message>
+    <message>
         <source>Of earlier jobs there: %1.</source>
         <translation>De travaux antérieurs à cet endroit : %1.</translation>
     </message>
@@ -12701,6 +12957,10 @@
     <message>
         <source>Of the stock</source>
         <translation>Du brut</translation>
+    </message>
+    <message>
+        <source>Of those that meet all limits, the one with the least of this wins</source>
+        <translation>De ceux qui respectent toutes les limites, celui qui en a le moins gagne</translation>
     </message>
     <message>
         <source>Of which operation</source>
@@ -12755,6 +13015,10 @@
         <translation>Ouvrir un maillage, en déposer un ici, ou prendre un exemple. Les fichiers STL n'ont pas d'unité : les tailles la disent.</translation>
     </message>
     <message>
+        <source>Open a study's file, or the folder of one</source>
+        <translation>Ouvrir le fichier d&apos;une étude, ou son dossier</translation>
+    </message>
+    <message>
         <source>Open edges</source>
         <translation>Arêtes ouvertes</translation>
     </message>
@@ -12771,8 +13035,16 @@
         <translation>Ouvrir un programme</translation>
     </message>
     <message>
+        <source>Open study</source>
+        <translation>Ouvrir une étude</translation>
+    </message>
+    <message>
         <source>Opened %1.</source>
         <translation>%1 ouvert.</translation>
+    </message>
+    <message>
+        <source>Opening the study</source>
+        <translation>Ouverture de l&apos;étude</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -12789,6 +13061,10 @@
     <message>
         <source>Operations, tools and settings as</source>
         <translation>Opérations, outils et réglages comme</translation>
+    </message>
+    <message>
+        <source>Order of operations</source>
+        <translation>Ordre des opérations</translation>
     </message>
     <message>
         <source>Others</source>
@@ -12871,6 +13147,10 @@
         <translation>Paires de facettes qui se traversent</translation>
     </message>
     <message>
+        <source>Parallel</source>
+        <translation>Parallèles</translation>
+    </message>
+    <message>
         <source>Parameters</source>
         <translation>Paramètres</translation>
     </message>
@@ -12917,6 +13197,10 @@
     <message>
         <source>Paste operation</source>
         <translation>Coller l'opération</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
     </message>
     <message>
         <source>Path by</source>
@@ -12995,6 +13279,10 @@
         <translation>Planifier et vérifier</translation>
     </message>
     <message>
+        <source>Plan and verify the candidates in the background</source>
+        <translation>Planifier et vérifier les candidats en arrière-plan</translation>
+    </message>
+    <message>
         <source>Plan anyway</source>
         <translation>Planifier quand même</translation>
     </message>
@@ -13021,6 +13309,10 @@
     <message>
         <source>Planned</source>
         <translation>Planifié</translation>
+    </message>
+    <message>
+        <source>Planned %1 of %2, judged coarsely %3 of about %4, finely %5 of about %6.</source>
+        <translation>Planifiés %1 sur %2, jugés grossièrement %3 sur environ %4, finement %5 sur environ %6.</translation>
     </message>
     <message>
         <source>Planned as kept: </source>
@@ -13111,6 +13403,10 @@
         <translation>Projet</translation>
     </message>
     <message>
+        <source>Put the chosen candidate into the project, as one step that Undo takes back</source>
+        <translation>Mettre le candidat choisi dans le projet, en une étape qu&apos;Annuler défait</translation>
+    </message>
+    <message>
         <source>Put the steps away</source>
         <translation>Ranger les étapes</translation>
     </message>
@@ -13129,6 +13425,10 @@
     <message>
         <source>Puts the recipe into the project, as one step that can be undone</source>
         <translation>Met la recette dans le projet, en une étape que l'on peut annuler</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -13287,6 +13587,10 @@
         <translation>Rapport</translation>
     </message>
     <message>
+        <source>Report of the candidate</source>
+        <translation>Rapport du candidat</translation>
+    </message>
+    <message>
         <source>Resolution</source>
         <translation>Résolution</translation>
     </message>
@@ -13333,6 +13637,10 @@
     <message>
         <source>Running these programs can damage part, tool and machine.</source>
         <translation>Exécuter ces programmes peut abîmer pièce, outil et machine.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Arrê&amp;ter</translation>
     </message>
     <message>
         <source>Sa&amp;ve as template…</source>
@@ -13445,6 +13753,10 @@
     <message>
         <source>Settings of Rework Region: see, limit and edit what the smaller tool cuts</source>
         <translation>Réglages des zones de reprise : voir, limiter et modifier ce que l'outil plus petit usine</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Posage</translation>
     </message>
     <message>
         <source>Shank</source>
@@ -13575,6 +13887,10 @@
         <translation>Lisser le bruit</translation>
     </message>
     <message>
+        <source>So many of the combinations, chosen by chance, the same each time; 0: all</source>
+        <translation>Autant de combinaisons, choisies au hasard, les mêmes à chaque fois ; 0 : toutes</translation>
+    </message>
+    <message>
         <source>SolidWorks</source>
         <translation>SolidWorks</translation>
     </message>
@@ -13599,8 +13915,24 @@
         <translation>Redresser la pièce</translation>
     </message>
     <message>
+        <source>Stages</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Stages of the study</source>
+        <translation>Étapes de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
         <source>Step %1 could not be carried out.</source>
         <translation>L'étape %1 n'a pu être exécutée.</translation>
+    </message>
+    <message>
+        <source>Step %1 is with Slurm, jobs %2 and %3.</source>
+        <translation>L&apos;étape %1 est chez Slurm, travaux %2 et %3.</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -13659,8 +13991,20 @@
         <translation>Arrêter l'aperçu (Échap)</translation>
     </message>
     <message>
+        <source>Stopped. Resume goes on with what was found.</source>
+        <translation>Arrêté. Reprendre continue avec ce qui est trouvé.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Arrêt…</translation>
+    </message>
+    <message>
         <source>Straighten, move, mirror</source>
         <translation>Redresser, déplacer, refléter</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
     </message>
     <message>
         <source>Strip</source>
@@ -13673,6 +14017,18 @@
     <message>
         <source>Strips of clean-up come here: add a clean-up operation and plan it</source>
         <translation>Ici viennent les bandes du nettoyage : ajouter une opération de nettoyage et la planifier</translation>
+    </message>
+    <message>
+        <source>Stud&amp;y…</source>
+        <translation>Étu&amp;de…</translation>
+    </message>
+    <message>
+        <source>Studies (*.study.json request.json)</source>
+        <translation>Études (*.study.json request.json)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
     </message>
     <message>
         <source>Su&amp;ggest</source>
@@ -13727,6 +14083,10 @@
 %3, %4</source>
         <translation>T%1  %2
 %3, %4</translation>
+    </message>
+    <message>
+        <source>T%1 %2</source>
+        <translation>T%1 %2</translation>
     </message>
     <message>
         <source>T%1 in regions</source>
@@ -13835,6 +14195,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The box takes facets that are not seen from here as well</source>
         <translation>Le rectangle prend aussi les facettes qu'on ne voit pas d'ici</translation>
+    </message>
+    <message>
+        <source>The candidate is planned and judged</source>
+        <translation>Le candidat est planifié et jugé</translation>
     </message>
     <message>
         <source>The clipboard holds no operation: copy one in the tree first (Ctrl+C).</source>
@@ -13985,12 +14349,20 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Les parcours sur la pièce (F8)</translation>
     </message>
     <message>
+        <source>The picture that is seen, as PNG</source>
+        <translation>L&apos;image visible, en PNG</translation>
+    </message>
+    <message>
         <source>The posture kept for the point is forgotten. Plan again to choose one.</source>
         <translation>La posture gardée pour le point est oubliée. Planifier de nouveau pour en choisir une.</translation>
     </message>
     <message>
         <source>The programs and their report are written into a folder: %1.</source>
         <translation>Les programmes et leur rapport sont écrits dans un dossier : %1.</translation>
+    </message>
+    <message>
+        <source>The project as it stands</source>
+        <translation>Le projet tel quel</translation>
     </message>
     <message>
         <source>The project has changed since. What is shown here is of the plan as it was.</source>
@@ -14021,8 +14393,20 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>La recette de l'atelier de scan a été exécutée</translation>
     </message>
     <message>
+        <source>The setup that is shown</source>
+        <translation>Le posage affiché</translation>
+    </message>
+    <message>
         <source>The stock as the tool cuts it (F10)</source>
         <translation>Le brut tel que l'outil l'usine (F10)</translation>
+    </message>
+    <message>
+        <source>The study is not at its end: Resume goes on with it.</source>
+        <translation>L&apos;étude n&apos;est pas finie : Reprendre la continue.</translation>
+    </message>
+    <message>
+        <source>The study is of another part, %1: open its project first.</source>
+        <translation>L&apos;étude est celle d&apos;une autre pièce, %1 : ouvrez d&apos;abord son projet.</translation>
     </message>
     <message>
         <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
@@ -14045,6 +14429,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>L'outil penche, si bien qu'une fraise plate ou torique laisse de larges bandes</translation>
     </message>
     <message>
+        <source>The tool's path</source>
+        <translation>La trajectoire de l&apos;outil</translation>
+    </message>
+    <message>
         <source>The tried posture is not free: it would not be used</source>
         <translation>La posture essayée n'est pas libre : elle ne serait pas utilisée</translation>
     </message>
@@ -14063,6 +14451,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The window speaks it after the next start.</source>
         <translation>La fenêtre la parle après le prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>The winner has the least</source>
+        <translation>Le gagnant a le moins de</translation>
     </message>
     <message>
         <source>The zero is on the axis of a %1 of Ø %2, which is round to %3.</source>
@@ -14097,6 +14489,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Il n'y a pas d'exemple « %1 »</translation>
     </message>
     <message>
+        <source>There is nothing to adopt.</source>
+        <translation>Il n&apos;y a rien à adopter.</translation>
+    </message>
+    <message>
         <source>There is nothing to compare</source>
         <translation>Il n'y a rien à comparer</translation>
     </message>
@@ -14113,6 +14509,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Rien à dire encore : toutes les opérations ne sont pas planifiées telles quelles. Planifier d'abord (F5).</translation>
     </message>
     <message>
+        <source>These are more than %1 combinations: let less vary, or try some of them.</source>
+        <translation>Cela fait plus de %1 combinaisons : faites varier moins, ou n&apos;en essayez qu&apos;une partie.</translation>
+    </message>
+    <message>
         <source>These values make no cutter.
 %1</source>
         <translation>Ces valeurs ne font pas une fraise.
@@ -14121,6 +14521,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Thicken a sheet</source>
         <translation>Épaissir une feuille</translation>
+    </message>
+    <message>
+        <source>This candidate has not been verified finely.</source>
+        <translation>Ce candidat n&apos;a pas été vérifié finement.</translation>
     </message>
     <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
@@ -14143,6 +14547,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Seul ce posage a été jugé, pas tout le travail.</translation>
     </message>
     <message>
+        <source>Those that are ticked make the front; a limit is a number, or ×1.1 for 1.1 times what the project comes to</source>
+        <translation>Ceux qui sont cochés forment le front ; une limite est un nombre, ou ×1,1 pour 1,1 fois ce à quoi le projet arrive</translation>
+    </message>
+    <message>
+        <source>Tick the tools and strategies that may serve; write several numbers with a semicolon between them</source>
+        <translation>Cochez les outils et les stratégies qui peuvent servir ; écrivez plusieurs nombres séparés par un point-virgule</translation>
+    </message>
+    <message>
         <source>Time (%1)</source>
         <translation>Temps (%1)</translation>
     </message>
@@ -14163,8 +14575,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>À</translation>
     </message>
     <message>
+        <source>To be kept small</source>
+        <translation>À garder petit</translation>
+    </message>
+    <message>
         <source>To the end</source>
         <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Vers la droite</translation>
     </message>
     <message>
         <source>To the start</source>
@@ -14209,6 +14629,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Tool back to the planned posture</source>
         <translation>Remettre l'outil à la posture planifiée</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Changements d&apos;outil</translation>
     </message>
     <message>
         <source>Tool diameter (%1), lead limit %2</source>
@@ -14347,6 +14771,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Deux contacts</translation>
     </message>
     <message>
+        <source>Two measures against each other; the line joins the best</source>
+        <translation>Deux mesures l&apos;une contre l&apos;autre ; la ligne joint les meilleurs</translation>
+    </message>
+    <message>
         <source>Type</source>
         <translation>Type</translation>
     </message>
@@ -14407,8 +14835,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Travail non enregistré</translation>
     </message>
     <message>
+        <source>Upward</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
         <source>Use %1</source>
         <translation>Utiliser %1</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
     </message>
     <message>
         <source>Verification</source>
@@ -14495,6 +14931,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Vue</translation>
     </message>
     <message>
+        <source>View of the candidate</source>
+        <translation>Vue du candidat</translation>
+    </message>
+    <message>
         <source>Watertight</source>
         <translation>Étanche</translation>
     </message>
@@ -14515,12 +14955,36 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce que toutes les opérations laissent du brut, en STL, 3MF ou PLY</translation>
     </message>
     <message>
+        <source>What came of each candidate, planned, judged coarsely and finely</source>
+        <translation>Ce que chaque candidat a donné : planifié, jugé grossièrement et finement</translation>
+    </message>
+    <message>
+        <source>What is drawn to the right</source>
+        <translation>Ce qui est porté vers la droite</translation>
+    </message>
+    <message>
+        <source>What is drawn upward</source>
+        <translation>Ce qui est porté vers le haut</translation>
+    </message>
+    <message>
+        <source>What is left and what is missing, in colours</source>
+        <translation>Ce qui reste et ce qui manque, en couleurs</translation>
+    </message>
+    <message>
         <source>What is nearer is larger; there is no scale bar then (Shift+P)</source>
         <translation>Ce qui est plus près est plus grand ; il n'y a alors pas d'échelle (Maj+P)</translation>
     </message>
     <message>
         <source>What is not saved cannot be kept for the case of a crash: %1. Save the project.</source>
         <translation>Ce qui n'est pas enregistré ne peut être gardé en cas de plantage : %1. Enregistrer le projet.</translation>
+    </message>
+    <message>
+        <source>What is wanted</source>
+        <translation>Ce qui est souhaité</translation>
+    </message>
+    <message>
+        <source>What may vary</source>
+        <translation>Ce qui peut varier</translation>
     </message>
     <message>
         <source>What the chart shows: the angles of the rotary axes, or the step-over along the part</source>
@@ -14543,8 +15007,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce que les étapes pour tous les trous disent de sa taille</translation>
     </message>
     <message>
+        <source>What the study asks</source>
+        <translation>Ce que demande l&apos;étude</translation>
+    </message>
+    <message>
         <source>What the view shows</source>
         <translation>Ce que montre la vue</translation>
+    </message>
+    <message>
+        <source>What varies, and what comes of it</source>
+        <translation>Ce qui varie, et ce qui en résulte</translation>
     </message>
     <message>
         <source>What was kept of %1 is damaged, and is not used: plan again.</source>
@@ -14559,12 +15031,20 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce qui était planifié n'est pas gardé avec le projet : %1.</translation>
     </message>
     <message>
+        <source>Where candidates are planned and verified; a cluster sees the folder under the same name</source>
+        <translation>Où les candidats sont planifiés et vérifiés ; une grappe voit le dossier sous le même nom</translation>
+    </message>
+    <message>
         <source>While a boundary is painted</source>
         <translation>Pendant qu'une limite est peinte</translation>
     </message>
     <message>
         <source>Whose box the zero is on; it goes with it</source>
         <translation>Sur la boîte de quoi se trouve l'origine ; elle la suit</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Pourquoi pas</translation>
     </message>
     <message>
         <source>Width</source>
@@ -14587,8 +15067,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Travail</translation>
     </message>
     <message>
+        <source>Work on</source>
+        <translation>Travailler sur</translation>
+    </message>
+    <message>
         <source>Work zero</source>
         <translation>Origine pièce</translation>
+    </message>
+    <message>
+        <source>Working on the study</source>
+        <translation>Travail sur l&apos;étude</translation>
     </message>
     <message>
         <source>Write the chosen tools, or all that are shown, for another program</source>
@@ -14651,6 +15139,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Zoom : molette, ou bouton droit</translation>
     </message>
     <message>
+        <source>a Slurm cluster</source>
+        <translation>une grappe Slurm</translation>
+    </message>
+    <message>
         <source>a comma is not a decimal mark</source>
         <translation>une virgule n'est pas une marque décimale</translation>
     </message>
@@ -14667,8 +15159,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>au-dessus de %1 : %2</translation>
     </message>
     <message>
+        <source>against</source>
+        <translation>contre</translation>
+    </message>
+    <message>
         <source>all</source>
         <translation>tous</translation>
+    </message>
+    <message>
+        <source>all combinations</source>
+        <translation>toutes</translation>
     </message>
     <message>
         <source>all of the cutter</source>
@@ -14681,6 +15181,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>any</source>
         <translation>quelconque</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>tel quel</translation>
     </message>
     <message>
         <source>as the desktop</source>
@@ -14697,6 +15201,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>ask each time</source>
         <translation>demander chaque fois</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>derrière</translation>
     </message>
     <message>
         <source>below %1</source>
@@ -14759,6 +15267,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>écart</translation>
     </message>
     <message>
+        <source>did not pass</source>
+        <translation>non réussi</translation>
+    </message>
+    <message>
         <source>doubled facet gone</source>
         <translation>facette doublée enlevée</translation>
     </message>
@@ -14813,6 +15325,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>enter a number</source>
         <translation>entrer un nombre</translation>
+    </message>
+    <message>
+        <source>every order</source>
+        <translation>tout ordre</translation>
     </message>
     <message>
         <source>everywhere</source>
@@ -14959,6 +15475,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>d'après la tolérance</translation>
     </message>
     <message>
+        <source>front</source>
+        <translation>front</translation>
+    </message>
+    <message>
         <source>goes</source>
         <translation>part</translation>
     </message>
@@ -15021,6 +15541,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>isometric, front, top, right, rear, bottom, left</source>
         <translation>isométrique, avant, dessus, droite, arrière, dessous, gauche</translation>
+    </message>
+    <message>
+        <source>judged coarsely</source>
+        <translation>jugé grossièrement</translation>
+    </message>
+    <message>
+        <source>judged finely</source>
+        <translation>jugé finement</translation>
     </message>
     <message>
         <source>keeps Z upright</source>
@@ -15135,6 +15663,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>aucune : APT seul</translation>
     </message>
     <message>
+        <source>not looked at</source>
+        <translation>non examiné</translation>
+    </message>
+    <message>
         <source>not reached by any</source>
         <translation>atteint par aucun</translation>
     </message>
@@ -15191,6 +15723,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>arêtes ouvertes</translation>
     </message>
     <message>
+        <source>out</source>
+        <translation>écarté</translation>
+    </message>
+    <message>
         <source>out of date</source>
         <translation>périmé</translation>
     </message>
@@ -15205,6 +15741,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>part</source>
         <translation>pièce</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
     </message>
     <message>
         <source>piece gone</source>
@@ -15283,6 +15823,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>brut</translation>
     </message>
     <message>
+        <source>study</source>
+        <translation>etude</translation>
+    </message>
+    <message>
         <source>the %1's file “%2”</source>
         <translation>le fichier « %2 » (%1)</translation>
     </message>
@@ -15311,12 +15855,20 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>le programme post-traité, %1 blocs</translation>
     </message>
     <message>
+        <source>the project</source>
+        <translation>le projet</translation>
+    </message>
+    <message>
         <source>the stock's box</source>
         <translation>la boîte du brut</translation>
     </message>
     <message>
         <source>the tip</source>
         <translation>la pointe</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>cet ordinateur</translation>
     </message>
     <message>
         <source>through two points</source>
@@ -15339,6 +15891,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>annuler, rétablir</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
         <source>unnamed</source>
         <translation>sans nom</translation>
     </message>
@@ -15353,6 +15909,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>use a point: 0.5</source>
         <translation>utiliser un point : 0.5</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>vérifié</translation>
     </message>
     <message>
         <source>verify</source>
@@ -15387,12 +15947,20 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>sommets sans direction</translation>
     </message>
     <message>
+        <source>waits</source>
+        <translation>attend</translation>
+    </message>
+    <message>
         <source>watertight</source>
         <translation>étanche</translation>
     </message>
     <message>
         <source>where it touches</source>
         <translation>là où elle touche</translation>
+    </message>
+    <message>
+        <source>winner</source>
+        <translation>gagnant</translation>
     </message>
     <message>
         <source>with the configuration space in view: points along the pass, passes</source>

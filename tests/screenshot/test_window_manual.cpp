@@ -21,6 +21,7 @@
 #include "ui/region_dialog.h"
 #include "ui/scan_controller.h"
 #include "ui/settings.h"
+#include "ui/study_controller.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/tool_dialog.h"
@@ -167,6 +168,9 @@ class TestWindowManual : public QObject, private WindowFixture {
             if (shown != &w()) shown->close();
             QApplication::processEvents();
         }
+        w().controllers().study().open();
+        take(w().controllers().study().dialog());
+        w().controllers().study().dialog()->close();
         const auto add = [&](const std::vector<const ParameterInfo*>& parameters) {
             for (const ParameterInfo* p : parameters)
                 all << ui::text(p->label);

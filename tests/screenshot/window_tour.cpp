@@ -3,11 +3,13 @@
 #include "core/mesh/mesh_report.h"
 #include "core/strategy/plan/operation.h"
 #include "ui/axis_dialog.h"
+#include "ui/controllers.h"
 #include "ui/export_dialog.h"
 #include "ui/part_dialog.h"
 #include "ui/preferences_dialog.h"
 #include "ui/project_tree.h"
 #include "ui/region_dialog.h"
+#include "ui/study_controller.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/tool_library_dialog.h"
@@ -145,6 +147,8 @@ QSet<QString> tour_dialogs(ui::MainWindow& window, const Look& look) {
     regions.show_settings(*operation, LengthUnit::inch, {{QStringLiteral("1 Ball"), ParameterValue(1L)}});
     regions.show_no_regions(QStringLiteral("Plan first."));
     visit(&regions);
+    window.controllers().study().open();
+    visit(window.controllers().study().dialog());
     return classes;
 }
 
