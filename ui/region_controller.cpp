@@ -74,20 +74,23 @@ QString regions_text(const ReworkRegions& r, const OperationResult* planned) {
     QString status =
         RegionController::tr("%1 regions", nullptr, int(r.regions.size())).arg(count_text(r.regions.size()));
     if (off > 0) status += RegionController::tr(", %1 switched off").arg(off);
-    const double percent = r.part_area > 0 ? 100 * r.area / r.part_area : 0;
-    status += RegionController::tr("; rework covers %1 of the surface")
-                  .arg(number_text(percent, 2) + QStringLiteral(" %"));
+    const auto percent = [](const ReworkRegions& of) {
+        return number_text(of.part_area > 0 ? 100 * of.area / of.part_area : 0, 2);
+    };
+    status +=
+        RegionController::tr("; rework covers %1 of the surface").arg(percent(r) + QStringLiteral(" %"));
     if (r.uncut_area >= 0.98 * r.part_area)
         return RegionController::tr(
             "This lead limit leaves the whole part uncut: raise it, or take a smaller tool.");
     // What the main path leaves is known when it is planned, and is in the report.
     const auto* path = planned ? planned->path.as<GlobalLocalPath>() : nullptr;
-    if (!path || path->rework->regions.regions.size() == r.regions.size()) return status;
+    if (!path) return status;
     const ReworkRegions& p = path->rework->regions;
+    if (p.regions.size() == r.regions.size() && percent(p) == percent(r)) return status;
     return RegionController::tr("Before planning: %1. As planned, where the paths were looked at: %2, %3 %")
         .arg(status)
         .arg(p.regions.size())
-        .arg(number_text(p.part_area > 0 ? 100 * p.area / p.part_area : 0, 2));
+        .arg(percent(p));
 }
 
 } // namespace

@@ -35,14 +35,21 @@ private:
     QString quiet_, line_, rows_;
 };
 
-/// What a part that turns needs of its stock, and what no place of the cutter serves.
+/// What a part that turns needs of its stock, and what no place of the cutter serves. `part`: empty where it
+/// is another one than was planned for, whose length does not belong to these figures.
 void add_turning(Facts& facts, const TurnedPath& turned, const Box3& part, LengthUnit unit,
                  const QString& attention) {
     const auto number = [&](double mm) { return number_text(mm / mm_per(unit), 4); };
-    // From the part's box: exact for an axis along X, Y or Z.
-    const double length = part.size().dot(turned.axis.direction.cwiseAbs());
-    facts.add(QObject::tr("Smallest stock"),
-              QStringLiteral("Ø %1 × %2").arg(number(2 * turned.part_radius), shown_length(length, unit, 4)));
+    if (part.empty()) {
+        facts.add(QObject::tr("Smallest stock"),
+                  QStringLiteral("Ø %1").arg(shown_length(2 * turned.part_radius, unit, 4)));
+    } else {
+        // From the part's box: exact for an axis along X, Y or Z.
+        const double length = part.size().dot(turned.axis.direction.cwiseAbs());
+        facts.add(
+            QObject::tr("Smallest stock"),
+            QStringLiteral("Ø %1 × %2").arg(number(2 * turned.part_radius), shown_length(length, unit, 4)));
+    }
     facts.add(QObject::tr("Stock turns in"),
               QStringLiteral("Ø %1").arg(shown_length(2 * turned.stock_radius, unit, 4)));
     double area = 0;
@@ -236,7 +243,8 @@ QString ReportView::operation_html(std::size_t i) const {
     if (!turned)
         facts.add(tr("Direction"), tr("%1° from X").arg(number_text(degrees(path.direction), 4)));
     else if (document_.part())
-        add_turning(facts, *turned, document_.part()->box, unit, signal.attention.name());
+        add_turning(facts, *turned, state == OperationState::stale ? Box3() : document_.part()->box, unit,
+                    signal.attention.name());
     facts.add(tr("CC points"), count_text(result->cc_points));
     facts.add(tr("CL points"), count_text(result->cl_points));
     double cut = 0, rapid = 0, time = 0;

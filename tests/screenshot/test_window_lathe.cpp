@@ -164,6 +164,13 @@ private slots:
         QVERIFY(said.contains(QStringLiteral("Side feed"))
                 && said.contains(QStringLiteral("Stock turns in")));
         QVERIFY(!said.contains(QStringLiteral("from X")) && !said.contains(QStringLiteral("Out of reach")));
+        // A longer part is not the one that was planned: its length stands beside no figure of that.
+        w().document().change(QStringLiteral("Longer"), [](Project& p) { p.part.scale = 1.5; });
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().part_is_current() && w().document().state(0) == OperationState::stale);
+        const QString stale = report->toPlainText();
+        QVERIFY2(stale.contains(QStringLiteral("Ø 70.71 mm")) && !stale.contains(QStringLiteral(" × ")),
+                 qPrintable(stale));
     }
 
     /// Slips in the form say so beside their field and change nothing; those that only planning can find

@@ -407,6 +407,44 @@ private slots:
         QVERIFY(!dialog().advice().use_suggested()->isEnabled());
     }
 
+    /// Where planning came to other regions than the dialog finds, it says so and has the figures of both.
+    void figures_before_and_after_planning_are_told_apart() {
+        QVERIFY(open_dents());
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        auto& d = w().document();
+        const auto result = d.result(0);
+        auto other = std::make_shared<OperationResult>(*result);
+        auto path = *result->path.as<GlobalLocalPath>();
+        auto rework = std::make_shared<ReworkPlan>(*path.rework);
+        rework->regions.area = 0.125 * rework->regions.part_area;
+        path.rework = rework;
+        other->path.detail = path;
+        const std::string fingerprint = Document::fingerprint(d.project(), 0);
+        d.take({{d.operation_id(0), other, {}, fingerprint}});
+        QVERIFY(wait_until_settled(w()) && open_dialog());
+        const QString both = dialog().status();
+        const int found = dialog().regions().table()->rowCount();
+        QVERIFY2(both.startsWith(QStringLiteral("Before planning: %1 region").arg(found)), qPrintable(both));
+        const QString planned = QStringLiteral("%1, 12 %").arg(rework->regions.regions.size()); // two digits
+        QVERIFY2(both.contains(planned), qPrintable(both));
+        // The report has those of the plan alone.
+        QVERIFY2(w().report().toPlainText().contains(planned + QStringLiteral(" of the surface")),
+                 qPrintable(w().report().toPlainText()));
+        // As they were found, one figure is enough.
+        rework = std::make_shared<ReworkPlan>(*rework);
+        rework->regions = controller().found()->found.regions;
+        path.rework = rework;
+        other = std::make_shared<OperationResult>(*result);
+        other->path.detail = path;
+        d.take({{d.operation_id(0), other, {}, fingerprint}});
+        QVERIFY(wait_until_settled(w()));
+        dialog().close();
+        QVERIFY(open_dialog());
+        QVERIFY2(!dialog().status().contains(QStringLiteral("planning")), qPrintable(dialog().status()));
+    }
+
     void what_cannot_be_is_said_in_place() {
         QVERIFY(open_dents());
         QVERIFY(open_dialog());

@@ -24,6 +24,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -150,6 +151,22 @@ private slots:
         QCOMPARE(badge(), QStringLiteral("Failed verification"));
         QVERIFY(controller().panel()->verdict_line().startsWith(QStringLiteral("Failed: gouges up to 0.0")));
         QVERIFY(controller().doubt().contains(QStringLiteral("failed")));
+
+        // What failed is not called unverified, and to verify it again is not offered.
+        QString title;
+        QStringList buttons;
+        QTimer::singleShot(50, qApp, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            title = box->windowTitle();
+            for (const QAbstractButton* b : box->buttons())
+                buttons << b->text().remove(QChar('&'));
+            box->reject();
+        });
+        action(w(), "export")->trigger();
+        QCOMPARE(title, QStringLiteral("Export programs that failed?"));
+        QVERIFY(buttons.contains(QStringLiteral("Export anyway"))
+                && !buttons.contains(QStringLiteral("Verify")));
 
         // The deepest one leads to its place and to the motion that made it.
         auto* list = controller().panel()->findings();
