@@ -17,6 +17,7 @@
 #include "ui/region_controller.h"
 #include "ui/repair_button.h"
 #include "ui/rough_controller.h"
+#include "ui/same_place.h"
 #include "ui/scan_controller.h"
 #include "ui/strip_controller.h"
 #include "ui/study_controller.h"
@@ -62,6 +63,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
     kept_ = new KeptPlans(p.document, p.planner, p.planners, p.job, *verification_, window);
+    auto* same_place = new SamePlace(*paths_, *verification_, *cspace_, window);
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
     auto* boundaries =
         new BoundaryController(p.document, p.viewport, *p.properties.boundary_box(), p.messages, window);
@@ -86,9 +88,9 @@ void Controllers::build(const Parts& p, QWidget* window) {
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {measure_,  picker,  boundaries, verification_, rough_, regions_, inspection_,
-            unrolled_, cspace_, tool_,      strips_,       part_,  fixtures, inputs_,
-            place_,    scan_,   study_,     paths_,        kept_};
+    all_ = {measure_,  picker,  boundaries, verification_, rough_, regions_,  inspection_,
+            unrolled_, cspace_, tool_,      strips_,       part_,  fixtures,  inputs_,
+            place_,    scan_,   study_,     paths_,        kept_,  same_place};
 }
 
 void Controllers::connect_document(const Document& document) {

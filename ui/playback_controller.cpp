@@ -46,6 +46,7 @@ void PlaybackController::load(PlaybackTrackPtr track, StockPlayer::Source live, 
     live_source_ = std::move(live);
     fine_source_ = std::move(fine);
     target_ = 0;
+    put_by_others_ = false;
     follow_ = follow_ && track_;
     if (follow_) {
         live_.load(live_source_);
@@ -72,6 +73,7 @@ std::vector<std::shared_ptr<const StockPatch>> PlaybackController::fine_stock() 
 
 void PlaybackController::play() {
     if (!loaded() || playing()) return;
+    put_by_others_ = false;
     if (target_ >= double(track_->motion_count())) aim(0); // at the end: from the start again
     rest_timer_.stop();
     clock_.start();
@@ -103,8 +105,17 @@ void PlaybackController::step(int by) {
 
 void PlaybackController::go_to(double position) {
     if (!loaded()) return;
+    put_by_others_ = false;
     aim(position);
     clock_.start();
+    emit moved();
+}
+
+void PlaybackController::put(double position) {
+    if (!loaded() || playing() || std::clamp(position, 0.0, double(track_->motion_count())) == target_)
+        return;
+    put_by_others_ = true;
+    aim(position);
     emit moved();
 }
 

@@ -44,6 +44,10 @@ public:
     void step(int by);
     void go_to(double position);
     void go_to(const MotionPlace& place) { go_to(track_->position_of(place)); }
+    /// The tool was put there by somebody else: playing and steps go on from there.
+    void put(double position);
+    /// Nobody has played since.
+    bool put_by_others() const { return put_by_others_; }
     PlaybackSpeed speed() const { return speed_; }
     void set_speed(const PlaybackSpeed& speed);
     /// Whether the stock is cut along. At first it is not.
@@ -70,7 +74,7 @@ private:
     PlaybackTrackPtr track_;
     StockPlayer::Source live_source_, fine_source_;
     double target_ = 0;
-    bool follow_ = false;
+    bool follow_ = false, put_by_others_ = false;
     PlaybackSpeed speed_;
     QTimer timer_, rest_timer_;
     QElapsedTimer clock_;

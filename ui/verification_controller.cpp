@@ -245,7 +245,7 @@ void VerificationController::show_playback() {
         display_.show_stock();
         return;
     }
-    const bool moved = playback_.target() > 0 || playback_.playing();
+    const bool moved = (playback_.target() > 0 && !playback_.put_by_others()) || playback_.playing();
     if (moved && !engaged_) {
         engaged_ = true;
         layers_toggled(); // the stock follows from now on
@@ -255,6 +255,7 @@ void VerificationController::show_playback() {
         return;
     }
     display_.show_stock();
+    if (playback_.put_by_others()) return; // who put the tool there shows it
     const PlaybackTrack& track = playback_.track();
     const double position = playback_.position();
     const MotionPlace at = track.place(position);

@@ -437,6 +437,9 @@ void Scene::set_title(const std::string& title, const std::string& subtitle) {
 void Scene::set_empty_text(const std::string& text) {
     impl_->empty_text = printable(text, 1000);
 }
+std::string Scene::shown_empty_text() const {
+    return impl_->shows_content() ? std::string() : impl_->empty_text;
+}
 
 void Scene::set_visible(Layer layer, bool on) {
     impl_->stage.layers_on[std::size_t(layer)] = on;

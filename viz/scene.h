@@ -121,6 +121,8 @@ public:
     void set_title(const std::string& title, const std::string& subtitle = {});
     /// Shown in the middle while there is no part, stock or path.
     void set_empty_text(const std::string& text);
+    /// What stands in the middle now; empty where there is something to see.
+    std::string shown_empty_text() const;
 
     void set_visible(Layer layer, bool on);
     bool visible(Layer layer) const;
