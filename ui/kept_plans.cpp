@@ -1,12 +1,9 @@
 #include "ui/kept_plans.h"
 
 #include "core/base/file.h"
-#include "core/job/kept_result.h"
-#include "ui/document_keys.h"
+#include "ui/kept_reading.h"
 #include "ui/text.h"
 #include "ui/verification_controller.h"
-#include "ui/verification_run.h"
-#include "ui/worded.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -17,16 +14,12 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <set>
 
 namespace facetmill::ui {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char *plan_kind = "plan", *failure_kind = "failure", *verdict_kind = "verdict",
-                     *rest_kind = "rest";
 
 /// Tells one that is in memory from another.
 std::size_t identity_of(const void* known) {
@@ -68,119 +61,7 @@ std::string program_text() {
                     .arg(program.lastModified().toMSecsSinceEpoch()));
 }
 
-/// Every operation of every setup: the view on the setup, and the place in it.
-template <class Body>
-void for_each_operation(const Project& project, const Body& body) {
-    for (std::size_t k = 0; k < setup_count(project); ++k) {
-        const Project view = view_of_setup(project, k);
-        for (std::size_t i = 0; i < view.operations.size(); ++i)
-            body(view, k, i);
-    }
-}
-
 } // namespace
-
-std::string FileContents::text(const fs::path& path, const Progress& progress) {
-    const std::string stamp = file_stamp(path);
-    {
-        const std::lock_guard lock(mutex_);
-        if (const auto it = known_.find(stamp); it != known_.end()) return it->second;
-    }
-    std::string text = content_text(path, key_, progress);
-    if (file_stamp(path) != stamp)
-        throw Error(ErrorCode::unreadable, path.string(), "it was written meanwhile", "try again");
-    const std::lock_guard lock(mutex_);
-    return known_[stamp] = std::move(text);
-}
-
-struct KeptPlans::Entry {
-    std::size_t setup = 0, operation = 0;
-    std::shared_ptr<const OperationResult> result; ///< null: planning came to none
-    std::string failure;                           ///< why, then
-    std::string fingerprint;                       ///< as planned
-};
-
-struct KeptPlans::Writing {
-    KeptFolder folder;
-    Project project;
-    std::vector<Entry> entries;
-    std::map<std::size_t, std::shared_ptr<const PreparedPart>> parts;  ///< by setup
-    std::map<std::size_t, std::shared_ptr<const CarriedStock>> stocks; ///< with which setups begin
-    std::shared_ptr<const VerificationOutcome> verdict;                ///< of the shown setup
-    bool saved = false; ///< the project is on disk as it is: what is of no use to it goes
-    // What became of it.
-    std::size_t written = 0;
-    bool too_much = false;
-    QString failure;
-
-    void run(FileContents& contents, const Progress& progress);
-
-private:
-    void write(const std::string& name, const std::function<std::string()>& bytes, const Progress& progress);
-    std::set<std::string> names(const FileText& texts) const;
-};
-
-void KeptPlans::Writing::write(const std::string& name, const std::function<std::string()>& bytes,
-                               const Progress& progress) {
-    if (folder.has(name)) return;
-    if (folder.write(name, bytes(), progress))
-        ++written;
-    else
-        too_much = true;
-}
-
-/// Of all that the project could have kept.
-std::set<std::string> KeptPlans::Writing::names(const FileText& texts) const {
-    std::set<std::string> all;
-    for_each_operation(project, [&](const Project& view, std::size_t, std::size_t i) {
-        all.insert(folder.name_of(plan_kind, ui::fingerprint(view, i, texts)));
-        all.insert(folder.name_of(failure_kind, ui::fingerprint(view, i, texts)));
-        all.insert(folder.name_of(verdict_kind, verdict_source(view, i + 1, texts)));
-        if (i == 0) all.insert(folder.name_of(rest_kind, stock_source(view, texts)));
-    });
-    return all;
-}
-
-void KeptPlans::Writing::run(FileContents& contents, const Progress& progress) {
-    try {
-        const FileText texts = contents.texts(progress);
-        if (saved && !folder.empty()) folder.keep_only(names(texts));
-        for (const Entry& e : entries) {
-            const Project view = view_of_setup(project, e.setup);
-            // What its files are now is what they were then.
-            if (ui::fingerprint(view, e.operation) != e.fingerprint) continue;
-            if (!e.result) {
-                const std::string name =
-                    folder.name_of(failure_kind, ui::fingerprint(view, e.operation, texts));
-                if (!folder.has(name))
-                    folder.write(name, e.failure, progress); // a few words: not worth telling
-                continue;
-            }
-            write(
-                folder.name_of(plan_kind, ui::fingerprint(view, e.operation, texts)),
-                [&] { return result_bytes(*e.result, *parts.at(e.setup), progress); }, progress);
-        }
-        for (const auto& [setup, stock] : stocks) {
-            const Project view = view_of_setup(project, setup);
-            if (stock->source != stock_source(view)) continue;
-            write(
-                folder.name_of(rest_kind, stock_source(view, texts)),
-                [&, s = stock] { return carried_bytes(*s, progress); }, progress);
-        }
-        if (verdict)
-            write(
-                folder.name_of(verdict_kind,
-                               verdict_source(project, verdict->setups.front().ids.size(), texts)),
-                [&] {
-                    return verdict_bytes({verdict->posted_blocks, verdict->verification}, progress);
-                },
-                progress);
-    } catch (const Error& e) {
-        failure = worded(e);
-    } catch (const Cancelled&) {
-        return; // nobody can
-    }
-}
 
 KeptPlans::KeptPlans(Document& document, std::shared_ptr<Planner> planner,
                      std::shared_ptr<SetupPlanners> planners, BackgroundJob& job,
@@ -222,41 +103,74 @@ void KeptPlans::keep_soon() {
     timer_.start();
 }
 
-std::shared_ptr<KeptPlans::Writing> KeptPlans::collect() {
-    auto writing = std::make_shared<Writing>(Writing{.folder = *folder(), .project = document_.project()});
-    writing->saved = !document_.modified();
-    const std::size_t shown = chosen_setup(writing->project);
-    std::vector<std::size_t> now{writing->saved ? std::size_t(1) : 0};
-    for_each_operation(writing->project, [&](const Project& view, std::size_t k, std::size_t i) {
-        const std::string fingerprint = Document::fingerprint(view, i);
-        auto result = document_.result_of(document_.setup_ids()[k][i], fingerprint);
+void KeptPlans::collect_plans(KeptWriting& writing, std::vector<std::size_t>& now) const {
+    const std::size_t shown = chosen_setup(writing.project);
+    for (std::size_t k = 0; k < setup_count(writing.project); ++k) {
+        const Project view = view_of_setup(writing.project, k);
         const auto part = k == shown ? document_.part() : planners_->at(k).prepared();
-        if (!result && k == shown && document_.state(i) == OperationState::failed) {
-            std::string failure = utf8(document_.failure(i));
-            now.push_back(std::hash<std::string>()(failure + fingerprint));
-            writing->entries.push_back({k, i, nullptr, std::move(failure), fingerprint});
+        for (std::size_t i = 0; i < view.operations.size(); ++i) {
+            std::string fingerprint = Document::fingerprint(view, i), failure;
+            auto result = document_.result_of(document_.setup_ids()[k][i], fingerprint);
+            if (!result && k == shown) {
+                const OperationState state = document_.state(i);
+                if (state == OperationState::failed) failure = utf8(document_.failure(i));
+                if (state == OperationState::stale) result = document_.result(i);
+                // Of which values it was is not said by the file's name.
+                if (result) now.push_back(std::hash<std::string>()(std::exchange(fingerprint, {})));
+            }
+            if (!failure.empty()) now.push_back(std::hash<std::string>()(failure + fingerprint));
+            if (result && part) {
+                now.push_back(identity_of(result.get()));
+                writing.parts[k] = part;
+            }
+            if (!failure.empty() || (result && part))
+                writing.plans.push_back({k, i, result, std::move(failure), fingerprint, file_of(result)});
         }
-        if (!result || !part) return;
-        now.push_back(identity_of(result.get()));
-        writing->parts[k] = part;
-        writing->entries.push_back({k, i, std::move(result), {}, fingerprint});
-    });
-    for (std::size_t k = 0; k < setup_count(writing->project); ++k)
-        if (const auto stock = planners_->known_rest(view_of_setup(writing->project, k))) {
+        if (auto stock = planners_->known_rest(view)) {
             now.push_back(identity_of(stock.get()));
-            writing->stocks[k] = stock;
+            writing.stocks[k] = std::move(stock);
         }
-    const VerificationModel& model = verification_.model();
-    if (model.current() && !model.outcome().program && model.outcome().setups.size() == 1
-        && model.outcome().setups.front().place == shown) {
-        writing->verdict = model.outcome_shared();
-        now.push_back(identity_of(writing->verdict.get()));
     }
+}
+
+void KeptPlans::collect_verdict(KeptWriting& writing, std::vector<std::size_t>& now) const {
+    const VerificationModel& model = verification_.model();
+    if (!model.any() || model.outcome().program) return;
+    if (model.current())
+        writing.verdict = model.outcome_shared();
+    else if (model.outcome().setups.size() == 1 && model.shown_setup())
+        writing.stale_verdict = model.outcome_shared();
+    else
+        return;
+    writing.stale_verdict_as = file_of(model.outcome().verification);
+    writing.ids = document_.setup_ids()[chosen_setup(writing.project)];
+    now.push_back(identity_of(model.outcome_shared().get()) + (model.current() ? 1 : 0));
+}
+
+std::shared_ptr<KeptWriting> KeptPlans::collect() {
+    auto writing =
+        std::make_shared<KeptWriting>(KeptWriting{.folder = *folder(), .project = document_.project()});
+    writing->saved = !document_.modified();
+    std::vector<std::size_t> now{writing->saved ? std::size_t(1) : 0};
+    collect_plans(*writing, now);
+    collect_verdict(*writing, now);
     const std::string path = writing->folder.path().string();
     if (now == last_ && path == last_path_) return nullptr;
     last_ = std::move(now);
     last_path_ = path;
     return writing;
+}
+
+void KeptPlans::remember(const KeptAs& kept_as) {
+    std::erase_if(kept_as_, [](const auto& known) { return known.first.expired(); });
+    for (const auto& [what, name] : kept_as)
+        kept_as_.emplace_back(what, name);
+}
+
+std::string KeptPlans::file_of(const std::shared_ptr<const void>& what) const {
+    for (const auto& [known, name] : kept_as_)
+        if (what && known.lock() == what) return name;
+    return {};
 }
 
 void KeptPlans::keep() {
@@ -276,13 +190,14 @@ void KeptPlans::keep() {
     });
 }
 
-void KeptPlans::end_writing(const Writing& written) {
+void KeptPlans::end_writing(const KeptWriting& written) {
     writing_ = false;
+    remember(written.kept_as);
     const QString where = path_text(written.folder.path());
     const double mb = double(written.folder.size()) / 1e6;
-    if (!written.failure.isEmpty() && !written.entries.empty())
+    if (!written.failed.isEmpty() && !written.plans.empty())
         emit said(MessageBar::Kind::warning,
-                  tr("What was planned is not kept with the project: %1.").arg(written.failure), false);
+                  tr("What was planned is not kept with the project: %1.").arg(written.failed), false);
     else if (written.too_much)
         emit said(MessageBar::Kind::warning,
                   tr("Not all that was planned is kept with the project: it would be more than %1 MB. It is "
@@ -315,98 +230,10 @@ void KeptPlans::part_changed() {
     });
 }
 
-struct KeptPlans::Reading {
-    struct Verdict {
-        std::size_t operations = 0; ///< so many of the shown setup's were judged
-        KeptVerdict kept;
-        DeviationDisplayPtr display;
-    };
-    KeptFolder folder;
-    Project project;
-    std::vector<std::vector<int>> ids;
-    std::shared_ptr<const PreparedPart> part; ///< of the shown setup
-    std::vector<OperationOutcome> outcomes;
-    std::optional<Verdict> verdict;
-    QStringList damaged; ///< names of operations
-
-    void run(Planner& planner, SetupPlanners& planners, FileContents& contents, const Progress& progress);
-
-private:
-    void read_setup(std::size_t setup, Planner& planner, Planner* shown, const FileText& texts,
-                    const Progress& progress);
-    void read_verdict(const FileText& texts, const Progress& progress);
-};
-
-void KeptPlans::Reading::read_setup(std::size_t setup, Planner& planner, Planner* shown,
-                                    const FileText& texts, const Progress& progress) {
-    const Project view = view_of_setup(project, setup);
-    if (const std::string source = stock_source(view); !source.empty())
-        if (const auto bytes = folder.read(folder.name_of(rest_kind, stock_source(view, texts)), progress)) {
-            const auto stock = carried_from_bytes(*bytes, progress);
-            stock->source = source;
-            planner.carry(stock);
-        }
-    std::shared_ptr<const PreparedPart> own = shown ? part : nullptr;
-    const auto n = double(view.operations.size());
-    for (std::size_t i = 0; i < view.operations.size(); ++i) {
-        const Progress reading = progress.part(double(i) / n, double(i + 1) / n);
-        const std::string fingerprint = ui::fingerprint(view, i);
-        const std::string name = folder.name_of(plan_kind, ui::fingerprint(view, i, texts));
-        if (!folder.has(name)) {
-            const auto failure =
-                folder.read(folder.name_of(failure_kind, ui::fingerprint(view, i, texts)), reading);
-            if (failure) outcomes.push_back({ids[setup][i], nullptr, ui::text(*failure), fingerprint});
-            continue;
-        }
-        if (!own) {
-            try {
-                own = planner.prepare(view, reading.part(0, 0.1));
-            } catch (const Error&) {
-                return; // what it begins with is not known: it is planned again
-            }
-        }
-        try {
-            const auto bytes = folder.read(name, reading.part(0.1, 0.5));
-            if (!bytes) throw Error(ErrorCode::syntax, name, "it is not as it was written", "plan again");
-            const auto result = result_from_bytes(*bytes, view, i, *own, reading.part(0.5, 1));
-            planner.adopt(result);
-            if (shown) shown->adopt(result);
-            outcomes.push_back({ids[setup][i], result, {}, fingerprint});
-        } catch (const Error&) {
-            damaged << ui::text(view.operations[i]->common().name);
-        }
-    }
-}
-
-void KeptPlans::Reading::read_verdict(const FileText& texts, const Progress& progress) {
-    const Project& shown = project;
-    for (std::size_t n = shown.operations.size(); n > 0; --n) {
-        const auto bytes =
-            folder.read(folder.name_of(verdict_kind, verdict_source(shown, n, texts)), progress.part(0, 0.3));
-        if (!bytes) continue;
-        Verdict found{n, verdict_from_bytes(*bytes, progress.part(0.3, 0.5)), nullptr};
-        const Verification& v = *found.kept.verification;
-        found.display = prepare_deviation_display(v.surface, default_scale(v, shown.unit),
-                                                  progress.part(0.5, 1, "Preparing the view"));
-        verdict = std::move(found);
-        return;
-    }
-}
-
-void KeptPlans::Reading::run(Planner& planner, SetupPlanners& planners, FileContents& contents,
-                             const Progress& progress) {
-    const FileText texts = contents.texts(progress);
-    const auto n = double(setup_count(project));
-    const std::size_t shown = chosen_setup(project);
-    for (std::size_t k = 0; k < setup_count(project); ++k)
-        read_setup(k, planners.at(k), k == shown ? &planner : nullptr, texts,
-                   progress.part(0.7 * double(k) / n, 0.7 * double(k + 1) / n));
-    if (!outcomes.empty()) read_verdict(texts, progress.part(0.7, 1));
-}
-
 void KeptPlans::take_up() {
     wanted_ = false;
-    auto reading = std::make_shared<Reading>(Reading{.folder = *folder(), .project = document_.project()});
+    auto reading =
+        std::make_shared<KeptReading>(KeptReading{.folder = *folder(), .project = document_.project()});
     reading->ids = document_.setup_ids();
     reading->part = document_.part();
     job_.start(
@@ -415,13 +242,13 @@ void KeptPlans::take_up() {
             try {
                 reading->run(*planner, *planners, *contents, progress);
             } catch (const Error&) {
-                reading->verdict.reset(); // whatever it is, it can be planned again
+                reading->verdicts.clear(); // whatever it is, it can be planned again
             }
         },
         [this, reading](const JobEnd& end) { taken(*reading, end); });
 }
 
-void KeptPlans::taken(Reading& reading, const JobEnd& end) {
+void KeptPlans::taken(KeptReading& reading, const JobEnd& end) {
     if (!end.done() || document_.program() || document_.setup_ids() != reading.ids) return;
     if (!reading.damaged.isEmpty())
         emit said(MessageBar::Kind::information,
@@ -434,9 +261,12 @@ void KeptPlans::taken(Reading& reading, const JobEnd& end) {
         return i && document_.state(*i) != OperationState::not_planned;
     });
     if (reading.outcomes.empty()) return;
+    remember(reading.kept_as);
     document_.take(reading.outcomes);
-    const auto planned = std::count_if(reading.outcomes.begin(), reading.outcomes.end(),
-                                       [](const OperationOutcome& o) { return o.result != nullptr; });
+    const auto planned =
+        std::count_if(reading.outcomes.begin(), reading.outcomes.end(), [](const OperationOutcome& o) {
+            return o.result && o.fingerprint != KeptReading::other_values;
+        });
     if (planned > 0)
         emit said(
             MessageBar::Kind::information,
@@ -445,18 +275,10 @@ void KeptPlans::taken(Reading& reading, const JobEnd& end) {
                 : tr("%1 operations are as they were planned: they were kept with the project.").arg(planned),
             false);
     emit taken_up();
-    if (!reading.verdict || !document_.part_is_current()) return;
-    std::optional<std::size_t> up_to;
-    if (reading.verdict->operations < document_.operation_count()) up_to = reading.verdict->operations - 1;
-    if (!can_judge(document_, up_to)) return;
-    const auto plan = plan_as_it_stands(document_, up_to);
-    const auto outcome = outcome_to_be(document_, *plan, up_to);
-    outcome->posted_blocks = reading.verdict->kept.posted_blocks;
-    outcome->across = plan->part->box.diagonal();
-    outcome->verification = reading.verdict->kept.verification;
-    outcome->setups.front().display = reading.verdict->display;
-    verification_.model().take(outcome);
-    emit verification_.verified();
+    if (!document_.part_is_current()) return;
+    for (const auto& verdict : reading.verdicts)
+        verification_.model().take(verdict);
+    if (verification_.model().current()) emit verification_.verified();
 }
 
 } // namespace facetmill::ui

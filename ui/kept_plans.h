@@ -2,42 +2,24 @@
 // taken up again when the project is opened: then it is as it was left, without planning.
 #pragma once
 
-#include "core/job/kept_folder.h"
 #include "core/job/setup_plan.h"
 #include "ui/background_job.h"
 #include "ui/controller.h"
+#include "ui/kept_writing.h"
 
 #include <QTimer>
 
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace facetmill::ui {
 
 class VerificationController;
-struct VerificationOutcome;
-
-/// The content of files, as text, each looked at once as it is on disk.
-class FileContents {
-public:
-    explicit FileContents(const HashKey& key) : key_(key) {}
-    /// Throws what InputFile does.
-    std::string text(const std::filesystem::path& path, const Progress& progress);
-    /// For document_keys.h; only as long as this and the progress live.
-    FileText texts(const Progress& progress) {
-        return [this, &progress](const std::filesystem::path& path) { return text(path, progress); };
-    }
-
-private:
-    HashKey key_;
-    std::mutex mutex_;
-    std::map<std::string, std::string> known_; ///< by stamp
-};
+struct KeptReading;
 
 class KeptPlans : public Controller {
     Q_OBJECT
@@ -59,18 +41,20 @@ signals:
     void taken_up();
 
 private:
-    struct Entry;
-    struct Writing;
-    struct Reading;
-
     std::optional<KeptFolder> folder() const;
     void keep_soon();
     void keep();
     /// What the document has now; null: nothing new.
-    std::shared_ptr<Writing> collect();
-    void end_writing(const Writing& written);
+    std::shared_ptr<KeptWriting> collect();
+    /// The same of the setups' operations and of the verdict; what is looked at goes into `now`.
+    void collect_plans(KeptWriting& writing, std::vector<std::size_t>& now) const;
+    void collect_verdict(KeptWriting& writing, std::vector<std::size_t>& now) const;
+    void end_writing(const KeptWriting& written);
     void take_up();
-    void taken(Reading& reading, const JobEnd& end);
+    void taken(KeptReading& reading, const JobEnd& end);
+    void remember(const KeptAs& kept_as);
+    /// The file in which this is kept; empty: not known.
+    std::string file_of(const std::shared_ptr<const void>& what) const;
 
     Document& document_;
     std::shared_ptr<Planner> planner_;
@@ -81,6 +65,7 @@ private:
     std::shared_ptr<FileContents> contents_;
     QTimer timer_;
     std::thread thread_;
+    std::vector<std::pair<std::weak_ptr<const void>, std::string>> kept_as_; ///< plans and verifications
     std::vector<std::size_t> last_; ///< what was there when it was written last
     std::string last_path_;         ///< and where to
     bool due_ = false, writing_ = false;

@@ -2,6 +2,7 @@
 #include "ui/fixture_list.h"
 
 #include "core/base/file.h"
+#include "core/job/kept_folder.h"
 #include "core/job/packed_project.h"
 #include "core/job/project_inputs.h"
 #include "core/mesh/sample.h"
@@ -213,7 +214,10 @@ void ProjectFiles::unpack(const std::filesystem::path& path, const std::filesyst
     auto files = std::make_shared<std::vector<PackedFile>>();
     job_.start(
         tr("Unpacking %1").arg(elided(path_text(path.filename()), 30)),
-        [=](const Progress& p) { *files = unpack_project(path, folder, p); },
+        [=](const Progress& p) {
+            *files = unpack_project(path, folder, p.part(0, 0.8));
+            copy_kept(path, files->front().path, p.part(0.8, 1));
+        },
         [this, files, folder](const JobEnd& end) {
             if (!end.done()) return;
             messages_.succeeded();
@@ -444,7 +448,8 @@ void ProjectFiles::save_packed_to(const QString& path) {
     job_.start(
         tr("Packing %1").arg(elided(document_.name(), 30)),
         [=, name = unended_name(document_).toStdString()](const Progress& p) {
-            *files = pack_project(*project, name, target, p);
+            *files = pack_project(*project, name, target, p.part(0, 0.8));
+            if (!project->path.empty()) copy_kept(project->path, target, p.part(0.8, 1));
         },
         [this, files, target](const JobEnd& end) {
             if (!end.done()) return;

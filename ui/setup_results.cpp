@@ -6,6 +6,21 @@
 
 namespace facetmill::ui {
 
+std::shared_ptr<PlanResult> plan_of(const Project& view, std::shared_ptr<const PreparedPart> part,
+                                    const std::vector<std::shared_ptr<const OperationResult>>& results) {
+    auto plan = std::make_shared<PlanResult>();
+    plan->part = std::move(part);
+    plan->stock = stock_solid(view.stock, *plan->part);
+    plan->stock_warnings = stock_warnings(view.stock, *plan->part, view.unit);
+    for (const auto& result : results) {
+        if (!result) continue;
+        auto programs = programs_of(result);
+        if (programs.empty()) plan->idle.push_back(result);
+        std::move(programs.begin(), programs.end(), std::back_inserter(plan->operations));
+    }
+    return plan;
+}
+
 SetupResults::SetupResults(const Document& document) : ids_(document.setup_ids()) {
     for (std::size_t k = 0; k < ids_.size(); ++k) {
         const Project view = view_of_setup(document.project(), k);
@@ -35,18 +50,10 @@ std::shared_ptr<const PlanResult> SetupResults::kept(Planner& planner, const Pro
         // Files may have been written anew meanwhile.
         if (it == kept_.end() || it->second.fingerprint != Document::fingerprint(view, i)) return nullptr;
     }
-    auto plan = std::make_shared<PlanResult>();
-    plan->part = planner.prepare(view, progress);
-    plan->stock = stock_solid(view.stock, *plan->part);
-    plan->stock_warnings = stock_warnings(view.stock, *plan->part, view.unit);
-    for (const int id : ids) {
-        const auto& result = kept_.at(id).result;
-        if (!result) continue; // switched off
-        auto programs = programs_of(result);
-        if (programs.empty()) plan->idle.push_back(result);
-        std::move(programs.begin(), programs.end(), std::back_inserter(plan->operations));
-    }
-    return plan;
+    std::vector<std::shared_ptr<const OperationResult>> results;
+    for (const int id : ids)
+        results.push_back(kept_.at(id).result);
+    return plan_of(view, planner.prepare(view, progress), results);
 }
 
 std::shared_ptr<const PlanResult> SetupResults::plan(Planner& planner, const Project& view,

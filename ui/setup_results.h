@@ -11,6 +11,10 @@
 
 namespace facetmill::ui {
 
+/// The plan of a setup whose operations came to these; null among them: switched off.
+std::shared_ptr<PlanResult> plan_of(const Project& view, std::shared_ptr<const PreparedPart> part,
+                                    const std::vector<std::shared_ptr<const OperationResult>>& results);
+
 class SetupResults {
 public:
     /// As the document stands now.

@@ -69,47 +69,40 @@ std::vector<VerifyProgram> programs_as_they_stand(const Document& document,
 
 std::shared_ptr<VerificationOutcome> outcome_to_be(const Document& document, const PlanResult& plan,
                                                    std::optional<std::size_t> up_to) {
+    if (!document.program()) {
+        std::vector<int> ids;
+        std::vector<std::shared_ptr<const OperationResult>> results;
+        for (std::size_t i = 0; i < document.operation_count(); ++i) {
+            ids.push_back(document.operation_id(i));
+            results.push_back(document.result(i));
+        }
+        return outcome_to_be(document.project(), ids, results, operations_to(document, up_to));
+    }
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->limits = document.project().limits;
     outcome->program = document.program();
-    std::vector<int> ids;
-    if (outcome->program)
-        for (const auto& program : plan.operations)
-            outcome->programs.push_back({program->name, 0, 0, outcome->programs.size()});
-    else
-        for (std::size_t i = 0; i < operations_to(document, up_to); ++i) {
-            ids.push_back(document.operation_id(i));
-            if (const auto result = document.result(i)) add_judged_programs(*outcome, 0, ids.back(), result);
-        }
-    if (!outcome->program && ids.size() < document.operation_count())
-        outcome->last = text(document.operation(ids.size() - 1).common().name);
-    outcome->setups.push_back(judged_setup(document.project(), ids));
+    for (const auto& program : plan.operations)
+        outcome->programs.push_back({program->name, 0, 0, outcome->programs.size()});
+    outcome->setups.push_back(judged_setup(document.project(), {}));
     return outcome;
 }
 
-void judge(VerificationOutcome& outcome, const Project& project,
-           const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
-           const Progress& progress) {
-    // A program from a file stands for itself.
-    PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
-                                            : programs_to_judge(project, plan, progress.part(0, 0.1));
-    outcome.posted_blocks = posted.blocks;
-    outcome.across = plan->part->box.diagonal();
-    stand_fixtures(posted.programs, *plan->part);
-    VerifySettings settings = verify_settings(project, outcome.program ? nullptr : plan.get());
-    settings.max_samples = max_samples;
-    auto result = std::make_shared<Verification>(facetmill::verify(
-        *plan->part->mesh, plan->stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
-    name_planned_motions(*result, posted);
-    tell_posted(*result, posted);
-    outcome.setups.front().display = prepare_deviation_display(
-        result->surface, default_scale(*result, project.unit), progress.part(0.97, 1, "Preparing the view"));
-    outcome.verification = std::move(result);
+std::shared_ptr<VerificationOutcome>
+outcome_to_be(const Project& view, const std::vector<int>& ids,
+              const std::vector<std::shared_ptr<const OperationResult>>& results, std::size_t operations) {
+    auto outcome = std::make_shared<VerificationOutcome>();
+    outcome->limits = view.limits;
+    for (std::size_t i = 0; i < operations; ++i)
+        if (results[i]) add_judged_programs(*outcome, 0, ids[i], results[i]);
+    if (operations > 0 && operations < ids.size())
+        outcome->last = text(view.operations[operations - 1]->common().name);
+    outcome->setups.push_back(
+        judged_setup(view, std::vector<int>(ids.begin(), ids.begin() + std::ptrdiff_t(operations))));
+    return outcome;
 }
 
-std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPlan> chain,
-                                                        const std::vector<std::vector<int>>& ids,
-                                                        const Progress& progress) {
+std::shared_ptr<VerificationOutcome> outcome_to_be(std::span<const SetupPlan> chain,
+                                                   const std::vector<std::vector<int>>& ids) {
     auto outcome = std::make_shared<VerificationOutcome>();
     outcome->chain.assign(chain.begin(), chain.end());
     outcome->limits = chain.front().project.limits;
@@ -125,18 +118,48 @@ std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPla
                     add_judged_programs(*outcome, outcome->setups.size() - 1, own[i], result);
         }
     }
+    return outcome;
+}
+
+void show_judged(VerificationOutcome& outcome, const KeptVerdict& judged, LengthUnit unit,
+                 const Progress& progress) {
+    outcome.posted_blocks = judged.posted_blocks;
+    outcome.verification = judged.verification;
+    const DeviationDisplayPtr display =
+        prepare_deviation_display(judged.verification->surface, default_scale(*judged.verification, unit),
+                                  progress.part(0, 1, "Preparing the view"));
+    for (JudgedSetup& setup : outcome.setups)
+        setup.display =
+            setup.frame.is_identity() ? display : moved_display(*display, setup.frame.turn, setup.frame.move);
+}
+
+void judge(VerificationOutcome& outcome, const Project& project,
+           const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
+           const Progress& progress) {
+    // A program from a file stands for itself.
+    PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
+                                            : programs_to_judge(project, plan, progress.part(0, 0.1));
+    outcome.across = plan->part->box.diagonal();
+    stand_fixtures(posted.programs, *plan->part);
+    VerifySettings settings = verify_settings(project, outcome.program ? nullptr : plan.get());
+    settings.max_samples = max_samples;
+    auto result = std::make_shared<Verification>(facetmill::verify(
+        *plan->part->mesh, plan->stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
+    name_planned_motions(*result, posted);
+    tell_posted(*result, posted);
+    show_judged(outcome, {posted.blocks, std::move(result)}, project.unit, progress.part(0.97, 1));
+}
+
+std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPlan> chain,
+                                                        const std::vector<std::vector<int>>& ids,
+                                                        const Progress& progress) {
+    const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(chain, ids);
     VerifySettings settings = chain_settings(outcome->chain);
     settings.max_samples = max_samples;
     const JudgedChain judged =
         judge_posted_chain(outcome->chain, settings, progress.part(0, 0.95, "Verifying"));
-    outcome->verification = judged.result;
-    outcome->posted_blocks = judged.posted_blocks;
-    const DeviationDisplayPtr display = prepare_deviation_display(
-        judged.result->surface, default_scale(*judged.result, chain.front().project.unit),
-        progress.part(0.95, 1, "Preparing the view"));
-    for (JudgedSetup& setup : outcome->setups)
-        setup.display =
-            setup.frame.is_identity() ? display : moved_display(*display, setup.frame.turn, setup.frame.move);
+    show_judged(*outcome, {judged.posted_blocks, judged.result}, chain.front().project.unit,
+                progress.part(0.95, 1));
     return outcome;
 }
 

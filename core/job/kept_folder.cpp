@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -45,11 +46,37 @@ std::vector<fs::path> kept_files(const fs::path& folder) {
     return files;
 }
 
+fs::path folder_of(const fs::path& project) {
+    return project.parent_path() / (project.stem().string() + ".facetmill-cache");
+}
+
+/// The bytes of a file of a folder, which were sealed when it was written.
+void copy_file_to(const fs::path& from, const fs::path& to, const Progress& progress) {
+    const InputFile in(from);
+    OutputFile out(to);
+    for (std::size_t i = 0; i < in.bytes().size(); i += hashed_at_once) {
+        progress.check();
+        out.write(in.bytes().substr(i, hashed_at_once));
+    }
+    out.commit();
+}
+
+void mark_folder(const fs::path& folder) {
+    std::error_code ec;
+    if (!fs::create_directory(folder, ec) && ec)
+        throw Error(ErrorCode::unwritable, folder.string(), "the folder cannot be made: " + ec.message(),
+                    "give the right to write there");
+    const fs::path mark = folder / "CACHEDIR.TAG";
+    if (fs::exists(mark, ec)) return;
+    OutputFile file(mark);
+    file.write(cache_mark);
+    file.commit();
+}
+
 } // namespace
 
 KeptFolder::KeptFolder(const fs::path& project, const HashKey& key, std::string program)
-    : path_(project.parent_path() / (project.stem().string() + ".facetmill-cache")), key_(key),
-      program_(std::move(program)) {}
+    : path_(folder_of(project)), key_(key), program_(std::move(program)) {}
 
 std::string KeptFolder::name_of(std::string_view kind, std::string_view source) const {
     const auto part = [](std::string_view text) {
@@ -102,15 +129,7 @@ std::optional<std::string> KeptFolder::read(const std::string& name, const Progr
 bool KeptFolder::write(const std::string& name, std::string_view bytes, const Progress& progress) const {
     const std::string head = std::string(kept_head) + name;
     if (size() + bytes.size() + head.size() + seal_bytes > largest_total) return false;
-    std::error_code ec;
-    if (!fs::create_directory(path_, ec) && ec)
-        throw Error(ErrorCode::unwritable, path_.string(), "the folder cannot be made: " + ec.message(),
-                    "give the right to write there");
-    if (const fs::path mark = path_ / "CACHEDIR.TAG"; !fs::exists(mark, ec)) {
-        OutputFile file(mark);
-        file.write(cache_mark);
-        file.commit();
-    }
+    mark_folder(path_);
     OutputFile file(file_of(name));
     file.write(head);
     file.write(bytes);
@@ -134,6 +153,28 @@ std::uint64_t KeptFolder::size() const {
         if (!ec) all += one;
     }
     return all;
+}
+
+void copy_kept(const fs::path& from_project, const fs::path& to_project, const Progress& progress) {
+    const fs::path from = folder_of(from_project), to = folder_of(to_project);
+    std::error_code ec;
+    if (from == to || fs::equivalent(from, to, ec)) return;
+    std::vector<fs::path> files = kept_files(from);
+    std::sort(files.begin(), files.end());
+    std::uint64_t all = 0;
+    for (const fs::path& file : kept_files(to))
+        all += fs::file_size(file, ec);
+    try {
+        for (const fs::path& file : files) {
+            const fs::path there = to / file.filename();
+            const auto size = fs::file_size(file, ec);
+            if (ec || fs::exists(there, ec) || (all += size) > KeptFolder::largest_total) continue;
+            mark_folder(to);
+            copy_file_to(file, there, progress);
+        }
+    } catch (const Error&) {
+        // It is planned again.
+    }
 }
 
 std::string content_text(const fs::path& path, const HashKey& key, const Progress& progress) {

@@ -49,6 +49,11 @@ private:
     std::string program_;
 };
 
+/// What is kept of one project, kept of another beside it as well: a copy, whose names and contents are the
+/// same. No more than one project keeps; what cannot be copied is left out, as it can be made again.
+void copy_kept(const std::filesystem::path& from_project, const std::filesystem::path& to_project,
+               const Progress& progress);
+
 /// The content of a file under a key, as text for FileText. Throws what InputFile does.
 std::string content_text(const std::filesystem::path& path, const HashKey& key, const Progress& progress);
 

@@ -9,7 +9,10 @@
 #include "ui/log_view.h"
 #include "ui/plan_runner.h"
 #include "ui/project_tree.h"
+#include "ui/report_view.h"
+#include "ui/text.h"
 #include "ui/verification_controller.h"
+#include "ui/verification_panel.h"
 #include "ui/viewport.h"
 #include "ui/workspaces.h"
 #include "viz/scene.h"
@@ -17,6 +20,7 @@
 #include <QDir>
 #include <QFile>
 #include <QMap>
+#include <QPushButton>
 #include <QTest>
 
 #include <random>
@@ -149,22 +153,22 @@ private slots:
 
     void what_does_not_fit_is_not_used() {
         QVERIFY(save_verified(QStringLiteral("kept_changed")));
-        // Another parameter, saved by a window that planned nothing.
-        w().document().change(QStringLiteral("Edit"),
-                              [](Project& p) { p.operations[0]->common().tolerance = 0.6; });
-        QVERIFY(w().document().state(0) == OperationState::stale);
-        QFile::remove(folder_ + QStringLiteral("/other.facetmill"));
-        QVERIFY(w().files().save_to(job()));
+        close_window();
+        // Another parameter, written by somebody who planned nothing.
+        Project project = load_project(job().toStdString());
+        project.operations[0]->common().tolerance = 0.6;
+        save_project(project, job().toStdString());
+        QVERIFY(show_window());
+        w().open_file(job());
         QVERIFY(wait_until_settled(w()));
-        QVERIFY2(kept_files().isEmpty(), "what is of no use to the saved project goes");
-        QVERIFY(reopen());
         QCOMPARE(w().document().state(0), OperationState::not_planned);
         QVERIFY(!w().verification().model().any());
 
         // The mesh is another one under the same name.
         w().plan();
         QVERIFY(wait_until_settled(w()));
-        QCOMPARE(kept_files().size(), 1);
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY2(kept_files().size() == 1, "what is of no use to the saved project goes");
         close_window();
         const QString mesh = QString::fromStdString(load_project(job().toStdString()).part_path().string());
         QByteArray bytes = file_content(mesh);
@@ -176,6 +180,107 @@ private slots:
         std::filesystem::last_write_time(mesh.toStdString(), stamp); // by its time nobody would know
         QVERIFY(show_window());
         w().open_file(job());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::not_planned);
+    }
+
+    /// What was planned and judged of values that the project had before is shown as that again.
+    void out_of_date_is_out_of_date_again() {
+        QVERIFY(save_verified(QStringLiteral("kept_stale")));
+        const auto planned = w().document().result(0);
+        w().tree().select({ui::TreeNode::Kind::operation, 0});
+        enter(w(), "tolerance", QStringLiteral("0.6"));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::stale);
+        QCOMPARE(w().verification().model().verdict(), ui::Verdict::stale);
+        const QString report = w().report().toPlainText();
+        const QString figures = w().verification().panel()->figures_text();
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 4); // both, and which they are
+        for (int i = 0; i < 2; ++i) {     // what was taken up is kept on
+            QVERIFY(reopen());
+            QVERIFY(!w().document().modified());
+            QCOMPARE(w().document().state(0), OperationState::stale);
+            QCOMPARE(w().document().result(0)->totals.time_seconds, planned->totals.time_seconds);
+            QVERIFY(!w().document().complete_plan() && !w().verification().playback().loaded());
+            const ui::VerificationModel& model = w().verification().model();
+            QVERIFY(model.any() && !model.current());
+            QCOMPARE(model.verdict(), ui::Verdict::stale);
+            QCOMPARE(model.verdict(0), ui::Verdict::stale);
+            QCOMPARE(model.program_name(0), QStringLiteral("Finish"));
+            QVERIFY(w().viewport().scene().has(Layer::deviation) && w().viewport().scene().has(Layer::cl));
+            QVERIFY(w().verification().doubt().contains(QStringLiteral("since the project was changed")));
+            w().tree().select({ui::TreeNode::Kind::operation, 0});
+            QCOMPARE(w().report().toPlainText(), report);
+            QCOMPARE(w().verification().panel()->figures_text(), figures);
+            QCOMPARE(kept_files().size(), 4);
+        }
+        shot(w(), QStringLiteral("reopened-stale"));
+        // Planned as it is set, nothing of it is wanted any more.
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().verification().model().verdict(), ui::Verdict::verified);
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(reopen());
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().verification().model().current());
+        w().document().change(QStringLiteral("Limits"), [](Project& p) { p.limits.uncut_limit = 0.5; });
+        QVERIFY(w().files().save_to(job()));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().verification().model().verdict() == ui::Verdict::stale);
+        QVERIFY2(kept_files().size() <= 4, "what nothing leads to goes");
+    }
+
+    /// By content: what was kept goes along with a project that is moved, and with a packed copy.
+    void moved_and_packed_it_goes_along() {
+        QVERIFY(save_verified(QStringLiteral("kept_moved")));
+        const auto programs = exported(QStringLiteral("before"));
+        const QString packed = folder_ + QStringLiteral("/sent.facetmill");
+        w().files().save_packed_to(packed);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_names(folder_ + QStringLiteral("/sent.facetmill-cache")), kept_names(kept()));
+        const auto is_as_it_was = [&](const QString& project) {
+            close_window();
+            if (!show_window()) return false;
+            w().open_file(project);
+            return wait_until_settled(w()) && w().document().has_part()
+                   && w().document().state(0) == OperationState::planned
+                   && w().verification().model().current()
+                   && w().verification().model().verdict() == ui::Verdict::verified;
+        };
+        // The part lies elsewhere than the project, where it stays.
+        QVERIFY(QDir().mkpath(folder_ + QStringLiteral("/other/place")));
+        Project project = load_project(job().toStdString());
+        const QString moved = folder_ + QStringLiteral("/other/place/job.facetmill");
+        move_project(project, moved.toStdString());
+        save_project(project, moved.toStdString());
+        QVERIFY(QDir().rename(kept(), folder_ + QStringLiteral("/other/place/job.facetmill-cache")));
+        QVERIFY(is_as_it_was(moved));
+
+        w().open_file(packed);
+        QVERIFY(wait_until_settled(w()));
+        auto* unpack = w().findChild<QPushButton*>(QStringLiteral("unpack"));
+        QVERIFY(unpack && unpack->isEnabled());
+        unpack->click();
+        QVERIFY(wait_until_settled(w()));
+        const QString unpacked = folder_ + QStringLiteral("/sent/job.facetmill");
+        QCOMPARE(ui::path_text(w().document().project().path), unpacked);
+        QCOMPARE(w().document().state(0), OperationState::planned);
+        QVERIFY(w().verification().model().current());
+        const QString program = QStringLiteral("01-Finish.apt"); // beside it the report names other files
+        QCOMPARE(exported(QStringLiteral("after"))[program], programs[program]);
+        // A packed file alone is planned again.
+        QVERIFY(QDir(folder_ + QStringLiteral("/sent")).removeRecursively());
+        QVERIFY(QDir(folder_ + QStringLiteral("/sent.facetmill-cache")).removeRecursively());
+        close_window();
+        QVERIFY(show_window());
+        w().open_file(packed);
+        QVERIFY(wait_until_settled(w()));
+        w().findChild<QPushButton*>(QStringLiteral("unpack"))->click();
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(w().document().state(0), OperationState::not_planned);
     }
@@ -247,6 +352,52 @@ private slots:
         QVERIFY(w().document().has_stock());
         QVERIFY(w().document().complete_plan());
         QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+    }
+
+    /// Of setups that were judged as one job, and of each alone.
+    void verdicts_of_several_setups() {
+        folder_ = scratch_folder(QStringLiteral("kept_chain"));
+        save_stl(HollowedBlock::mesh(), (folder_ + "/block.stl").toStdString(), LengthUnit::mm, {});
+        QFile file(job());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(two_sides);
+        file.close();
+        w().open_file(job());
+        QVERIFY(wait_until_settled(w()));
+        w().planning().all_setups().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+        const ui::Verdict verdict = w().verification().model().verdict();
+        QVERIFY(verdict == ui::Verdict::verified || verdict == ui::Verdict::failed);
+        const QString line = w().verification().panel()->verdict_line();
+        QVERIFY2(line.contains(QStringLiteral("2 setups as one job")), qPrintable(line));
+        const std::size_t findings = w().verification().model().findings().size();
+        QCOMPARE(kept_files().size(), 4); // two plans, what stands between them, and the verdict
+        QVERIFY(reopen());
+        const auto* model = &w().verification().model();
+        QVERIFY(model->current() && model->covers_all());
+        QCOMPARE(model->verdict(), verdict);
+        QCOMPARE(w().verification().panel()->verdict_line(), line);
+        QCOMPARE(model->findings().size(), findings);
+        QCOMPARE(model->outcome().setups.size(), std::size_t(2));
+        QCOMPARE(model->outcome().programs.size(), std::size_t(2));
+        QCOMPARE(model->outcome().chain.size(), std::size_t(2));
+        const auto top = model->shown_setup()->display;
+        QVERIFY(top && w().viewport().scene().has(Layer::deviation));
+        // The other setup knows of it, too, in its own coordinates.
+        w().tree().select({ui::TreeNode::Kind::setup, 1});
+        w().tree().go_to_setup_action()->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(model->current() && model->shown_setup() && model->shown_setup()->display != top);
+        QVERIFY(!model->shown_setup()->frame.is_identity());
+        QCOMPARE(model->verdict(), verdict);
+        // One that is judged alone says so of itself.
+        w().tree().select({ui::TreeNode::Kind::setup, 0});
+        w().tree().go_to_setup_action()->trigger();
+        QVERIFY(wait_until_settled(w()));
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(kept_files().size(), 5);
     }
 
     /// That there is no plan, and why, is there again as well.

@@ -303,6 +303,40 @@ private slots:
         QVERIFY(folder.empty());
     }
 
+    /// What is kept of a project goes along with a copy of it, and never stands in its way.
+    void a_copy_takes_it_along() {
+        QTemporaryDir dir;
+        const fs::path root(dir.path().toStdString()), from = root / "job.facetmill",
+                                                       to = root / "elsewhere" / "sent.facetmill";
+        const KeptFolder folder(from, {}, "p"), copy(to, {}, "p");
+        copy_kept(from, to, {}); // there is none
+        QVERIFY(copy.empty());
+        const std::string a = folder.name_of("plan", "a"), b = folder.name_of("plan", "b");
+        QVERIFY(folder.write(a, "what was planned", {}) && folder.write(b, std::string(100000, 'b'), {}));
+        std::ofstream(folder.path() / "mine.txt") << "mine";
+        copy_kept(from, to, {}); // its project has no folder yet
+        QVERIFY(!fs::exists(root / "elsewhere"));
+        fs::create_directories(root / "elsewhere");
+        copy_kept(from, to, {});
+        QVERIFY(*copy.read(a, {}) == "what was planned" && copy.read(b, {})->size() == 100000);
+        QVERIFY(fs::exists(copy.path() / "CACHEDIR.TAG") && !fs::exists(copy.path() / "mine.txt"));
+        // What is there stays as it is; onto itself nothing happens.
+        std::ofstream(copy.path() / (a + ".kept"), std::ios::binary) << "torn";
+        copy_kept(from, to, {});
+        QVERIFY(!copy.read(a, {}));
+        copy_kept(from, from, {});
+        QVERIFY(folder.read(a, {}) && folder.read(b, {}));
+        fs::remove_all(copy.path());
+        Job job;
+        job.cancel();
+        QVERIFY_THROWS_EXCEPTION(Cancelled, copy_kept(from, to, Progress(job)));
+        QVERIFY(copy.empty());
+        // No more than one project may keep.
+        fs::resize_file(folder.path() / (b + ".kept"), KeptFolder::largest_total);
+        copy_kept(from, to, {});
+        QVERIFY(copy.size() < KeptFolder::largest_total);
+    }
+
     void no_more_than_its_share_is_kept() {
         QTemporaryDir dir;
         const KeptFolder folder(fs::path(dir.path().toStdString()) / "job.facetmill", {}, "p");
