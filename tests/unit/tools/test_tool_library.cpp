@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <map>
+#include <set>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -141,6 +142,102 @@ void cutters_come_back(LibraryFormat format, const char* file, std::size_t fit, 
                  t.tool.name.c_str());
 }
 
+/// Tools of all shapes that say of themselves what chance has it.
+ToolLibrary chance_library(Random& rng) {
+    ToolLibrary library = every_shape(uniform(rng, 0, 1) < 0.5 ? LengthUnit::mm : LengthUnit::inch);
+    library.holders.clear();
+    for (LibraryTool& t : library.tools) {
+        const auto maybe = [&](auto& value) {
+            if (uniform(rng, 0, 1) < 0.4) value = {};
+        };
+        for (std::string* text : {&t.material, &t.vendor, &t.product_id, &t.comment})
+            maybe(*text);
+        maybe(t.overall_length);
+        maybe(t.tool.flutes);
+        maybe(t.tool.cutting);
+        t.tool.shank_length = uniform(rng, 5, 40);
+        if (t.overall_length > 0) t.overall_length = t.tool.flute_length + t.tool.shank_length + 20;
+        if (t.tool.cutting.empty()) {
+            maybe(t.tool.holder);
+            if (t.tool.holder.empty()) t.holder = {};
+            continue;
+        }
+        CuttingData& c = t.tool.cutting.front();
+        for (double* value : {&c.spindle, &c.feed, &c.plunge_feed, &c.chip_load, &c.stepover, &c.depth})
+            maybe(*value);
+        maybe(c.material);
+        if (uniform(rng, 0, 1) < 0.5)
+            t.tool.cutting.push_back({"Finishing", "Steel", 6000, 700, 200, 0.02, 1, 0.5});
+    }
+    return library;
+}
+
+/// What a round trip has changed of a tool, each with the words of which one is to be said of it.
+std::vector<std::vector<const char*>> changes(const LibraryTool& a, const LibraryTool& b, bool has_numbers) {
+    std::vector<std::vector<const char*>> all;
+    const auto changed = [&](bool same, std::vector<const char*> words) {
+        if (!same) all.push_back(std::move(words));
+    };
+    changed(a.tool.number == b.tool.number || !has_numbers, {"number"});
+    changed(near(a.tool.flute_length, b.tool.flute_length), {"flute_length", "lengths"});
+    changed(near(a.tool.corner_radius, b.tool.corner_radius) && near(a.tool.taper_angle, b.tool.taper_angle)
+                && near(a.tool.bottom_angle, b.tool.bottom_angle),
+            {"shape", "angle"});
+    changed(near(a.tool.diameter, b.tool.diameter), {"diameter", "shape"});
+    changed(near(a.tool.shank_diameter, b.tool.shank_diameter)
+                && near(a.tool.shank_length, b.tool.shank_length),
+            {"shank", "lengths"});
+    changed(same_holder(a.holder, b.holder), {"holder"});
+    changed(a.tool.flutes == b.tool.flutes, {"flutes"});
+    changed(a.material == b.material, {"material"});
+    changed(a.vendor == b.vendor, {"vendor"});
+    changed(a.product_id == b.product_id, {"product_id"});
+    changed(a.comment == b.comment, {"comment"});
+    // Where nobody said it, a format that needs one has what flutes and shank come to.
+    changed(a.overall_length == 0 || near(a.overall_length, b.overall_length), {"overall_length"});
+    changed(a.tool.cutting.size() == b.tool.cutting.size(), {"cutting"});
+    if (a.tool.cutting.empty() || b.tool.cutting.empty()) return all;
+    const CuttingData &c = a.tool.cutting.front(), &d = b.tool.cutting.front();
+    changed(c.name == d.name, {"cutting[0].name"});
+    changed(c.material == d.material, {"cutting[0].material"});
+    changed(near(c.spindle, d.spindle), {"cutting[0].spindle"});
+    changed(near(c.feed, d.feed), {"cutting[0].feed"});
+    changed(near(c.plunge_feed, d.plunge_feed), {"cutting[0].plunge_feed"});
+    changed(near(c.chip_load, d.chip_load), {"cutting[0].chip_load"});
+    changed(near(c.stepover, d.stepover), {"cutting[0].stepover"});
+    changed(near(c.depth, d.depth), {"cutting[0].depth"});
+    return all;
+}
+
+/// What writing and reading again has made another without a word, field by field.
+void add_losses(const ToolLibrary& library, LibraryFormat format, const char* file,
+                std::set<std::string>& losses) {
+    const WrittenLibrary written = write_library(library, format, file);
+    const ReadLibrary read = read_library(written.files[0].bytes, file, library.unit,
+                                          [&](const std::string& name) -> std::optional<std::string> {
+                                              for (const WrittenLibrary::File& f : written.files)
+                                                  if (f.name == name) return f.bytes;
+                                              return std::nullopt;
+                                          });
+    const auto said = [&](const LibraryTool& t, const char* word) {
+        return std::any_of(written.remarks.begin(), written.remarks.end(), [&](const std::string& r) {
+            return r.find("'" + t.tool.name + "'") != std::string::npos && r.find(word) != std::string::npos;
+        });
+    };
+    for (const LibraryTool& a : library.tools) {
+        const auto b = std::find_if(read.library.tools.begin(), read.library.tools.end(),
+                                    [&](const LibraryTool& t) { return t.tool.name == a.tool.name; });
+        const std::string who = std::string(file) + ": " + a.tool.name;
+        if (b == read.library.tools.end()) {
+            if (!said(a, "left out")) losses.insert(who);
+            continue;
+        }
+        for (const auto& words : changes(a, *b, format != LibraryFormat::freecad_tool))
+            if (std::none_of(words.begin(), words.end(), [&](const char* w) { return said(a, w); }))
+                losses.insert(who + ": " + words.front());
+    }
+}
+
 bool tells(const ReadLibrary& read, const char* of) {
     return std::any_of(read.remarks.begin(), read.remarks.end(),
                        [&](const std::string& r) { return r.find(of) != std::string::npos; });
@@ -214,6 +311,25 @@ private slots:
             return ball;
         }()));
         QVERIFY(tells(read, "tells no shape"));
+    }
+
+    void every_field_comes_back_or_is_named() {
+        Random rng(11);
+        std::set<std::string> losses;
+        for (int trial = 0; trial < 60; ++trial) {
+            const ToolLibrary library = chance_library(rng);
+            for (const auto& [format, file] : {std::pair(LibraryFormat::facetmill, "a.fmtools"),
+                                               {LibraryFormat::fusion, "a.json"},
+                                               {LibraryFormat::fusion_archive, "a.tools"},
+                                               {LibraryFormat::freecad_library, "a.fctl"},
+                                               {LibraryFormat::linuxcnc, "a.tbl"},
+                                               {LibraryFormat::camotics, "c.json"},
+                                               {LibraryFormat::kiri, "k.json"}})
+                add_losses(library, format, file, losses);
+        }
+        for (const std::string& loss : losses)
+            qWarning("%s", loss.c_str());
+        QVERIFY(losses.empty());
     }
 
     void holders_of_freecad_come_back() {
