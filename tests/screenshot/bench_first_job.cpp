@@ -91,5 +91,8 @@ int main(int argc, char** argv) {
     });
     row("exported", [&] { window.exports().save_programs(app.home() + QStringLiteral("/programs")); });
     row("saved", [&] { window.files().save_to(app.home() + QStringLiteral("/job.facetmill")); });
+    // As it was: plan and verdict are read, not made.
+    row("opened again", [&] { window.open_file(app.home() + QStringLiteral("/job.facetmill")); });
+    if (!window.verification().model().current()) std::printf("it is not as it was\n");
     return 0;
 }
