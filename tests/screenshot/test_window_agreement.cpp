@@ -3,6 +3,7 @@
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "tests/support/part_meshes.h"
+#include "ui/cspace_controller.h"
 #include "ui/parameter_form.h"
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
@@ -13,11 +14,13 @@
 #include "ui/viewport.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -132,6 +135,53 @@ private slots:
         w().verification().bar()->button("play_start")->click();
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(playback().target(), 0.0);
+    }
+
+    void the_configuration_space_goes_where_playback_rests() {
+        QVERIFY2(plan_five_axes(), qPrintable(w().last_failure()));
+        w().findChild<QDockWidget*>(QStringLiteral("cspace_dock"))->raise();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().cspace().point().has_value());
+        const std::size_t first = *w().cspace().point();
+        // Steps of the configuration space: playback goes along.
+        const auto record = w().document().result(0)->path.five_axis();
+        std::size_t free = first + 7;
+        while (!record->points[free].choice.free)
+            ++free; // what is left to clean-up has no tool
+        w().cspace().step(int(free - first), 0);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(*w().cspace().point(), free);
+        // Not every contact has a motion of its own: the nearest cut is meant.
+        double nearest = infinity;
+        for (const Motion& m : motions())
+            if (m.kind == MotionKind::cut) nearest = std::min(nearest, (m.to.tip - tip()).norm());
+        QCOMPARE((playback().tool().tip - tip()).norm(), nearest);
+        // A slider that is let go.
+        const auto is_there = [&] {
+            const Vec3 surface = record->points[*w().cspace().point()].place.surface;
+            const auto cut = playback().track().place(playback().position()).motion;
+            const double reach = w().document().project().tools.front().diameter;
+            return (motions()[cut].to.tip - surface).norm() < reach;
+        };
+        std::size_t far = motions().size() / 2;
+        while (motions()[far].kind != MotionKind::cut)
+            ++far;
+        playback().go_to({0, far});
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(*w().cspace().point() != free);
+        QVERIFY(is_there());
+        QVERIFY(w().cspace().shown() && w().cspace().shown()->index == *w().cspace().point());
+        QTest::keyClick(&w(), Qt::Key_Comma);
+        QVERIFY(wait_until_settled(w()) && is_there());
+        // While it stands there, a posture that is tried stays on the screen.
+        do
+            w().cspace().step(1, 0);
+        while (!w().viewport().scene().tool().pose());
+        QVERIFY(wait_until_settled(w()));
+        const Vec3 stepped = tip();
+        QTest::qWait(300);
+        QVERIFY((tip() - stepped).norm() < 1e-12);
+        QVERIFY(is_there());
     }
 };
 
