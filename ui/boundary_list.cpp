@@ -148,8 +148,9 @@ QString boundary_extent(const Boundary& boundary) {
     if (boundary.kind != Boundary::Kind::facets) return {};
     const auto all = std::size_t(boundary.of_facets);
     try {
-        return Document::tr("%1 of %2 facets")
-            .arg(count_text(facet_ranges(boundary.facets, all ? all : no_index).size()), count_text(all));
+        const std::size_t painted = facet_ranges(boundary.facets, all ? all : no_index).size();
+        return Document::tr("%1 of %2 facets", nullptr, int(painted))
+            .arg(count_text(painted), count_text(all));
     } catch (const Error& e) {
         return sentence(worded(e));
     }

@@ -293,8 +293,7 @@ void CSpaceController::show_choice(std::size_t choice) {
     panel_->view()->scene().set_probe(std::nullopt);
     panel_->view()->refresh();
     const QString name = worded(cspace_choice_label(choice));
-    if (chosen.free)
-        panel_->readout()->setText(name + QStringLiteral(": ") + reason_text(chosen.posture, true));
+    if (chosen.free) panel_->readout()->setText(said_of(name, reason_text(chosen.posture, true)));
     show_tool(chosen.free ? std::optional(chosen.posture) : std::nullopt,
               chosen.free ? name : tr("left to clean-up"));
 }

@@ -28,7 +28,7 @@ QString posture_reason_text(const FiveAxisStudy& study, const FiveAxisStudy::Poi
     QString line =
         QObject::tr("lead %1, yaw %2").arg(posture_angle_text(posture.lead), posture_angle_text(posture.yaw));
     if (with_lift) line += QObject::tr(", lift %1").arg(lift_text(posture.delta, unit));
-    line += QStringLiteral(": ") + in_a_sentence(worded(posture_block_label(reason.block)));
+    line = said_of(line, in_a_sentence(worded(posture_block_label(reason.block))));
     if (reason.block != PostureBlock::free && reason.contact.body != ToolBody::none
         && reason.contact.facet != no_index)
         line += QObject::tr(", facet %1").arg(count_text(reason.contact.facet));

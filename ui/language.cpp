@@ -63,7 +63,7 @@ std::unique_ptr<QTranslator> loaded(std::unique_ptr<QTranslator> translator, con
 void write_numbers(QLocale locale) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
     QLocale::setDefault(locale);
-    set_overlay_words([](const std::string& english) { return utf8(in_user_numbers(worded(english))); });
+    set_overlay_words(said_in_view);
 }
 
 bool is_known(const QString& code) {
@@ -113,6 +113,15 @@ void speak_by(std::unique_ptr<QTranslator> texts, const QLocale& numbers) {
 
 QString spoken_language() {
     return spoken().code;
+}
+
+std::string said_in_view(const std::string& english) {
+    const QString whole = text(english), said = worded(whole);
+    if (said != whole || !whole.contains(QStringLiteral(", "))) return utf8(in_user_numbers(said));
+    QStringList words = whole.split(QStringLiteral(", ")); // "CM2, planned", "Lift, in"
+    for (QString& word : words)
+        word = worded(word);
+    return utf8(in_user_numbers(words.join(QStringLiteral(", "))));
 }
 
 QString in_a_sentence(const QString& label) {

@@ -38,6 +38,8 @@ void speak_by(std::unique_ptr<QTranslator> texts, const QLocale& numbers);
 /// The code of what is spoken; empty by `speak_by`.
 QString spoken_language();
 
+/// What the 3D view writes, which is told in English, in the language that is spoken.
+std::string said_in_view(const std::string& english);
 /// A label in the middle of a sentence: in small letters, but for languages whose nouns have capitals.
 QString in_a_sentence(const QString& label);
 

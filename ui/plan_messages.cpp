@@ -26,7 +26,7 @@ void tell_program(Messages& messages, const OperationResult& program, LengthUnit
                                   duration_text(program.totals.time_seconds)),
                          false);
     for (const std::string& warning : program.warnings())
-        messages.warning(name + QStringLiteral(": ") + with_lengths_in(worded(warning), unit), false);
+        messages.warning(said_of(name, with_lengths_in(worded(warning), unit)), false);
 }
 
 } // namespace

@@ -199,8 +199,7 @@ void PlanRunner::take(Work& work, const OperationOutcome& outcome) {
         work.planned << name;
         tell_operation(messages_, outcome.result, document_.unit());
     } else {
-        work.failures << (outcome.failure.contains(name) ? outcome.failure
-                                                         : name + QStringLiteral(": ") + outcome.failure);
+        work.failures << (outcome.failure.contains(name) ? outcome.failure : said_of(name, outcome.failure));
     }
 }
 

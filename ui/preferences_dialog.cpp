@@ -65,7 +65,7 @@ QGroupBox* PreferencesDialog::make_view() {
     style_->setObjectName(QStringLiteral("navigation_style"));
     style_->addItems({tr("Facetmill"), tr("Fusion"), tr("FreeCAD"), tr("Blender"), tr("SolidWorks")});
     style_->setCurrentIndex(int(now.style));
-    form->addRow(tr("Mouse &like"), style_);
+    form->addRow(tr("Mo&use like"), style_);
     buttons_ = new QLabel(group);
     buttons_->setForegroundRole(QPalette::PlaceholderText);
     form->addRow(QString(), buttons_);

@@ -56,9 +56,10 @@ void ProjectItems::build() {
     for (std::size_t i = 0; i < project_.tools.size(); ++i) {
         const Tool& t = project_.tools[i];
         const QString size = QStringLiteral("⌀ %1").arg(shown_length(t.diameter, unit, 5));
-        add_item(tools, {TreeNode::Kind::tool, i}, Icon::tool,
-                 QObject::tr("T%1  %2").arg(t.number).arg(text(t.name)),
-                 QObject::tr("T%1  %2\n%3, %4").arg(t.number).arg(text(t.name), text(t.shape_name()), size));
+        add_item(
+            tools, {TreeNode::Kind::tool, i}, Icon::tool,
+            QObject::tr("T%1  %2").arg(t.number).arg(text(t.name)),
+            QObject::tr("T%1  %2\n%3, %4").arg(t.number).arg(text(t.name), worded(t.shape_name()), size));
     }
     if (setups == 1) add_operations(nullptr);
     for (std::size_t i = 0; setups > 1 && i < setups; ++i) {

@@ -381,7 +381,7 @@ void ProjectTree::show_states() {
             QStringLiteral("%1 (%2)\n%3")
                 .arg(text(document_.operation(i).common().name),
                      operation_label(std::string(document_.operation(i).kind())), state_text(state));
-        if (state == OperationState::failed) help += QStringLiteral(": ") + document_.failure(i);
+        if (state == OperationState::failed) help = said_of(help, document_.failure(i));
         it->setToolTip(0, help);
         QTreeWidgetItem* after = item({TreeNode::Kind::stock_after, i});
         if (all && !after) {

@@ -245,7 +245,7 @@ QString scan_remark(const Mesh& mesh, const MeshReport& report, const Progress& 
     }
     if (flaws.isEmpty()) return {};
     return ScanRoom::tr("The mesh has %1. It is machined as it is; the scan room makes it worth machining.")
-        .arg(some_of(flaws));
+        .arg(some_of(flaws, 80));
 }
 
 } // namespace facetmill::ui

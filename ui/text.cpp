@@ -127,11 +127,11 @@ QString elided(const QString& text, int characters) {
     return text.left(left) + QChar(0x2026) + text.right(right);
 }
 
-QString some_of(const QStringList& names) {
+QString some_of(const QStringList& names, int longest) {
     constexpr qsizetype most = 3;
     QStringList shown;
     for (const QString& name : names.mid(0, most))
-        shown << elided(name, 32);
+        shown << elided(name, longest);
     QString last;
     if (names.size() > most)
         last = QObject::tr("%n more", nullptr, int(names.size() - most));
@@ -139,6 +139,10 @@ QString some_of(const QStringList& names) {
         last = shown.takeLast();
     const QString list = shown.join(QStringLiteral(", "));
     return last.isEmpty() ? list : QObject::tr("%1 and %2").arg(list, last);
+}
+
+QString said_of(const QString& what, const QString& said) {
+    return QObject::tr("%1: %2").arg(what, said);
 }
 
 QString with_lengths_in(const QString& message, LengthUnit unit) {
@@ -163,9 +167,8 @@ QString sentence(const QString& text) {
 }
 
 QString failure_text(const Error& e) {
-    QString message = sentence(worded(e.message()));
-    if (!e.remedy().empty()) message += QStringLiteral(": ") + worded(e.remedy());
-    return message;
+    const QString message = sentence(worded(e.message()));
+    return e.remedy().empty() ? message : said_of(message, worded(e.remedy()));
 }
 
 } // namespace facetmill::ui

@@ -57,8 +57,10 @@ QString duration_text(double seconds);
 QString percent_text(double share);
 /// `text` cut in the middle so that it has at most `characters` ones.
 QString elided(const QString& text, int characters);
-/// The first names as a sentence has them: "a", "a and b", "a, b, c and 4 more".
-QString some_of(const QStringList& names);
+/// The first names as a sentence has them: "a", "a and b", "a, b, c and 4 more"; what is longer is shortened.
+QString some_of(const QStringList& names, int longest = 32);
+/// "What: this of it", as the language has its colons.
+QString said_of(const QString& what, const QString& said);
 /// Messages of core name lengths in millimetres ("1.5 mm"); the same message with them in the unit of the
 /// project.
 QString with_lengths_in(const QString& message, LengthUnit unit);

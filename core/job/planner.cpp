@@ -51,16 +51,16 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
     run.motions = motion.motions.size();
     run.findings = motion.findings.size();
     if (run.findings == 0) return run;
-    std::string text = "machine '" + printable(machine.name) + "' does not hold "
-                       + std::to_string(run.findings) + " of " + std::to_string(run.motions)
-                       + " motions as planned: ";
+    std::string first;
     for (std::size_t i = 0; i < std::min(run.findings, max_findings_told); ++i)
-        text += (i > 0 ? "; " : "") + finding_text(motion.findings[i], machine, unit);
+        first += (i > 0 ? "; " : "") + finding_text(motion.findings[i], machine, unit);
     if (run.findings > max_findings_told) {
         const std::string rest = "and " + std::to_string(run.findings - max_findings_told) + " more";
-        text += "; " + rest;
+        first += "; " + rest;
     }
-    run.warnings.push_back(std::move(text));
+    run.warnings.push_back("machine '" + printable(machine.name) + "' does not hold "
+                           + std::to_string(run.findings) + " of " + std::to_string(run.motions)
+                           + " motions as planned: " + first);
     return run;
 }
 

@@ -377,7 +377,7 @@ void Sheet::posted_programs() {
         const std::vector<PostedFile> files = post_plan(project_, plan_, {});
         begin_facts();
         fact("Control", post.label);
-        fact("Work coordinates", (wcs.empty() ? "the control's" : wcs) + ": zero in "
+        fact("Work coordinates", (wcs.empty() ? "the control's" : wcs) + ", its zero in "
                                      + work_zero_text(project_.programs, project_.unit));
         told_from_zero();
         end_table();

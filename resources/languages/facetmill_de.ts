@@ -620,6 +620,10 @@
         <translation>Fräsen</translation>
     </message>
     <message>
+        <source>Cut, {1}</source>
+        <translation>Schnitt, {1}</translation>
+    </message>
+    <message>
         <source>Cuts only where more than the tolerance stands of the stock, as raw material and the operations before left it.</source>
         <translation>Fräst nur, wo vom Rohteil mehr als die Toleranz steht, wie das Rohmaterial und die Operationen davor es ließen.</translation>
     </message>
@@ -684,6 +688,10 @@
         <translation>Schnitttiefe</translation>
     </message>
     <message>
+        <source>Depth, {1}</source>
+        <translation>Tiefe, {1}</translation>
+    </message>
+    <message>
         <source>Description</source>
         <translation>Beschreibung</translation>
     </message>
@@ -702,6 +710,10 @@
     <message>
         <source>Diameter of the section.</source>
         <translation>Durchmesser des Abschnitts.</translation>
+    </message>
+    <message>
+        <source>Diameter, {1}</source>
+        <translation>Durchmesser, {1}</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -917,7 +929,7 @@
     </message>
     <message>
         <source>Following the part</source>
-        <translation>Dem Teil wird gefolgt</translation>
+        <translation>Das Teil wird abgefahren</translation>
     </message>
     <message>
         <source>Following valleys</source>
@@ -1346,6 +1358,10 @@
     <message>
         <source>Lift</source>
         <translation>Abhub</translation>
+    </message>
+    <message>
+        <source>Lift, {1}</source>
+        <translation>Abhub, {1}</translation>
     </message>
     <message>
         <source>Lines that the format does not know were ignored.</source>
@@ -1938,6 +1954,10 @@
     <message>
         <source>Rapid</source>
         <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Rapid, {1}</source>
+        <translation>Eilgang, {1}</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -3840,6 +3860,10 @@
         <translation>Quader</translation>
     </message>
     <message>
+        <source>box, {1}</source>
+        <translation>Quader, {1}</translation>
+    </message>
+    <message>
         <source>bring rotary axes, X and Y to the start first</source>
         <translation>zuerst Drehachsen, X und Y an den Anfang bringen</translation>
     </message>
@@ -4488,6 +4512,10 @@
         <translation>überall auf dem Weg wäre der Fräser unter dem Boden des Rohteils</translation>
     </message>
     <message>
+        <source>excess</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
         <source>excess {1}</source>
         <translation>Überstand {1}</translation>
     </message>
@@ -4992,6 +5020,10 @@
         <translation>reicht über seinen Teil des Puffers hinaus</translation>
     </message>
     <message>
+        <source>gouge</source>
+        <translation>Verletzung</translation>
+    </message>
+    <message>
         <source>gouge of {1} ({2}), limit {3}</source>
         <translation>Verletzung von {1} ({2}), Grenze {3}</translation>
     </message>
@@ -5170,6 +5202,10 @@
     <message>
         <source>install its commands (Debian: slurm-client), or give --on local</source>
         <translation>seine Befehle installieren (Debian: slurm-client) oder --on local angeben</translation>
+    </message>
+    <message>
+        <source>inward</source>
+        <translation>einwärts</translation>
     </message>
     <message>
         <source>is JSON, but no glTF: it has no asset</source>
@@ -5828,8 +5864,8 @@
         <translation>den Vorschub senken</translation>
     </message>
     <message>
-        <source>machine '{1}' does not hold {2} of {3} motions as planned: </source>
-        <translation>Maschine '{1}' hält {2} von {3} Bewegungen nicht wie geplant: </translation>
+        <source>machine '{1}' does not hold {2} of {3} motions as planned: {4}</source>
+        <translation>Maschine '{1}' hält {2} von {3} Bewegungen nicht ein, wie sie geplant sind: {4}</translation>
     </message>
     <message>
         <source>machine '{1}' has no table that turns the part about this axis: choose one such as 'lathe-mill', or turn the part into its axis</source>
@@ -6504,6 +6540,10 @@
         <translation>gerade GOTO-Anweisungen ausgeben (keine Bögen, Zyklen oder Transformationen)</translation>
     </message>
     <message>
+        <source>outward</source>
+        <translation>auswärts</translation>
+    </message>
+    <message>
         <source>paint facets, widen it, or move it onto the part</source>
         <translation>Facetten malen, sie erweitern oder auf das Teil schieben</translation>
     </message>
@@ -6602,6 +6642,10 @@
     <message>
         <source>plan the setups before this one</source>
         <translation>die Aufspannungen davor planen</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
     </message>
     <message>
         <source>plunge</source>
@@ -7172,8 +7216,8 @@
         <translation>die Steuerung würde ihn nicht lesen</translation>
     </message>
     <message>
-        <source>the control's: zero in {1}</source>
-        <translation>das der Steuerung: Nullpunkt in {1}</translation>
+        <source>the control's, its zero in {1}</source>
+        <translation>das der Steuerung, Nullpunkt in {1}</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -9972,6 +10016,10 @@
         <translation>{1}, Facette {2}</translation>
     </message>
     <message>
+        <source>{1}, its zero in {2}</source>
+        <translation>{1}, Nullpunkt in {2}</translation>
+    </message>
+    <message>
         <source>{1}, line {2}</source>
         <translation>{1}, Zeile {2}</translation>
     </message>
@@ -10042,10 +10090,6 @@
     <message>
         <source>{1}: the tool goes up {2} times so that rotary axes can turn.</source>
         <translation>{1}: das Werkzeug fährt {2}-mal hoch, damit Drehachsen drehen können.</translation>
-    </message>
-    <message>
-        <source>{1}: zero in {2}</source>
-        <translation>{1}: Nullpunkt in {2}</translation>
     </message>
     <message>
         <source>{1}: {2} of passes, {3} of the surface uncut where the cutter could go</source>
@@ -10242,9 +10286,9 @@
         <source>%1 min left</source>
         <translation>noch %1 min</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 of %2 facets</source>
-        <translation>%1 von %2 Facetten</translation>
+        <translation><numerusform>%1 von %2 Facetten</numerusform><numerusform>%1 von %2 Facetten</numerusform></translation>
     </message>
     <message>
         <source>%1 of %2 postures free</source>
@@ -10432,7 +10476,7 @@
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>A&amp;bbrechen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>&amp;Close program</source>
@@ -10652,7 +10696,7 @@
     </message>
     <message>
         <source>,  .</source>
-        <translation>,</translation>
+        <translation>,  .</translation>
     </message>
     <message>
         <source>, %1 deep</source>
@@ -12621,6 +12665,10 @@ auf, %1</translation>
         <translation>Es fehlen auch: %1.</translation>
     </message>
     <message>
+        <source>Mo&amp;use like</source>
+        <translation>Ma&amp;us wie</translation>
+    </message>
+    <message>
         <source>More excess than this has the last blue</source>
         <translation>Größere Überstände als dieser haben das letzte Blau</translation>
     </message>
@@ -12631,10 +12679,6 @@ auf, %1</translation>
     <message>
         <source>Motions</source>
         <translation>Bewegungen</translation>
-    </message>
-    <message>
-        <source>Mouse &amp;like</source>
-        <translation>&amp;Maus wie</translation>
     </message>
     <message>
         <source>Mouse, colours, machine of new projects, threads (Ctrl+,)</source>
@@ -13149,6 +13193,10 @@ auf, %1</translation>
         <translation>Paare von Facetten, die sich durchdringen</translation>
     </message>
     <message>
+        <source>Panels</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
         <source>Parallel</source>
         <translation>Parallel</translation>
     </message>
@@ -13655,6 +13703,11 @@ auf, %1</translation>
     <message>
         <source>Samples</source>
         <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <comment>places looked at</comment>
+        <translation>Messpunkte</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -14594,7 +14647,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>To&amp;wards, from X</source>
-        <translation>&amp;Nach, ab X</translation>
+        <translation>Nac&amp;h, ab X</translation>
     </message>
     <message>
         <source>Tolerance</source>

@@ -16,6 +16,10 @@
         <translation><numerusform>%1 layer</numerusform><numerusform>%1 layers</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%1 of %2 facets</source>
+        <translation><numerusform>%1 of %2 facets</numerusform><numerusform>%1 of %2 facets</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%1 regions</source>
         <translation><numerusform>%1 region</numerusform><numerusform>%1 regions</numerusform></translation>
     </message>

@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>'{1}' is no limit</source>
-        <translation>« {1} » n&apos;est pas une limite</translation>
+        <translation>« {1} » n'est pas une limite</translation>
     </message>
     <message>
         <source>'{1}' is no list</source>
@@ -617,7 +617,11 @@
     </message>
     <message>
         <source>Cut</source>
-        <translation>Usiner</translation>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Cut, {1}</source>
+        <translation>Coupe, {1}</translation>
     </message>
     <message>
         <source>Cuts only where more than the tolerance stands of the stock, as raw material and the operations before left it.</source>
@@ -684,6 +688,10 @@
         <translation>Profondeur de passe</translation>
     </message>
     <message>
+        <source>Depth, {1}</source>
+        <translation>Profondeur, {1}</translation>
+    </message>
+    <message>
         <source>Description</source>
         <translation>Description</translation>
     </message>
@@ -702,6 +710,10 @@
     <message>
         <source>Diameter of the section.</source>
         <translation>Diamètre de la section.</translation>
+    </message>
+    <message>
+        <source>Diameter, {1}</source>
+        <translation>Diamètre, {1}</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -1033,7 +1045,7 @@
     </message>
     <message>
         <source>Height between neighbouring levels: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
-        <translation>Hauteur entre deux niveaux voisins : adaptatif est partout la plus grande que la tolérance permet ; une longueur est respectée quelles que soient les crêtes qu'elle laisse.</translation>
+        <translation>Hauteur entre deux niveaux voisins : adaptatif est partout la plus grande que la tolérance permet ; une longueur est respectée quelles que soient les crêtes qu'elle laisse.</translation>
     </message>
     <message>
         <source>Height of rapid moves above the highest of part and stock.</source>
@@ -1346,6 +1358,10 @@
     <message>
         <source>Lift</source>
         <translation>Levée</translation>
+    </message>
+    <message>
+        <source>Lift, {1}</source>
+        <translation>Levée, {1}</translation>
     </message>
     <message>
         <source>Lines that the format does not know were ignored.</source>
@@ -1940,6 +1956,10 @@
         <translation>Rapide</translation>
     </message>
     <message>
+        <source>Rapid, {1}</source>
+        <translation>Rapide, {1}</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
@@ -2133,7 +2153,7 @@
     </message>
     <message>
         <source>Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. What is less steep is for parallel passes.</source>
-        <translation>Pentes qui sont usinées, depuis l'horizontale : 0 est un fond, 90 degrés une paroi. Ce qui est moins raide est pour des passes parallèles.</translation>
+        <translation>Pentes qui sont usinées, depuis l'horizontale : 0 est un fond, 90 degrés une paroi. Ce qui est moins raide est pour des passes parallèles.</translation>
     </message>
     <message>
         <source>Slopes that are so near to the divide are cut both ways.</source>
@@ -2821,7 +2841,7 @@
     </message>
     <message>
         <source>What the step does: takes small pieces away, turns facets to agree, takes needles away, fills holes, smooths noise, decimates, cuts by a plane, thickens a sheet, makes anew where the surface crosses itself, joins another scan on, takes sheets away that hang on the surface and end in the open, fills one hole or leaves it open.</source>
-        <translation>Ce que fait l'étape : enlever de petits morceaux, orienter les facettes, enlever les aiguilles, remplir les trous, lisser le bruit, décimer, couper par un plan, épaissir une feuille, refaire où la surface se croise, joindre un autre scan, enlever les lambeaux qui pendent de la surface et finissent dans le vide, remplir un trou ou le laisser ouvert.</translation>
+        <translation>Ce que fait l'étape : enlever de petits morceaux, orienter les facettes, enlever les aiguilles, remplir les trous, lisser le bruit, décimer, couper par un plan, épaissir une feuille, refaire où la surface se croise, joindre un autre scan, enlever les lambeaux qui pendent de la surface et finissent dans le vide, remplir un trou ou le laisser ouvert.</translation>
     </message>
     <message>
         <source>What the stock is larger than the part: on both sides in x, on both sides in y, on top in z. Round a cylinder whose diameter is `auto` the larger one of those across its axis counts.</source>
@@ -3733,7 +3753,7 @@
     </message>
     <message>
         <source>another program works on this study ({1}; this is {2})</source>
-        <translation>un autre programme travaille à cette étude ({1} ; celui-ci est {2})</translation>
+        <translation>un autre programme travaille à cette étude ({1} ; celui-ci est {2})</translation>
     </message>
     <message>
         <source>another run works on this study</source>
@@ -3838,6 +3858,10 @@
     <message>
         <source>box</source>
         <translation>boîte</translation>
+    </message>
+    <message>
+        <source>box, {1}</source>
+        <translation>boîte, {1}</translation>
     </message>
     <message>
         <source>bring rotary axes, X and Y to the start first</source>
@@ -4488,6 +4512,10 @@
         <translation>partout sur le parcours la fraise serait sous le fond du brut</translation>
     </message>
     <message>
+        <source>excess</source>
+        <translation>excédent</translation>
+    </message>
+    <message>
         <source>excess {1}</source>
         <translation>excédent {1}</translation>
     </message>
@@ -4992,6 +5020,10 @@
         <translation>dépasse sa partie du tampon</translation>
     </message>
     <message>
+        <source>gouge</source>
+        <translation>entaille</translation>
+    </message>
+    <message>
         <source>gouge of {1} ({2}), limit {3}</source>
         <translation>entaille de {1} ({2}), limite {3}</translation>
     </message>
@@ -5041,7 +5073,7 @@
     </message>
     <message>
         <source>has not been verified: {1}</source>
-        <translation>n'a pas été vérifié : {1}</translation>
+        <translation>n'a pas été vérifié : {1}</translation>
     </message>
     <message>
         <source>has too many sections</source>
@@ -5133,7 +5165,7 @@
     </message>
     <message>
         <source>hole: where the hole is: the one whose middle is nearest, no farther than half its diameter.</source>
-        <translation>trou : où est le trou : celui dont le milieu est le plus proche, pas plus loin que la moitié de son diamètre.</translation>
+        <translation>trou : où est le trou : celui dont le milieu est le plus proche, pas plus loin que la moitié de son diamètre.</translation>
     </message>
     <message>
         <source>holes</source>
@@ -5141,7 +5173,7 @@
     </message>
     <message>
         <source>holes, hole: smooth goes on as the surface around bends; flat takes the least area. hole: left stays open whatever later steps say.</source>
-        <translation>trous, trou : lisse continue la courbure de la surface autour ; plat prend le moins d'aire. trou : ouvert reste ouvert quoi que disent les étapes suivantes.</translation>
+        <translation>trous, trou : lisse continue la courbure de la surface autour ; plat prend le moins d'aire. trou : ouvert reste ouvert quoi que disent les étapes suivantes.</translation>
     </message>
     <message>
         <source>in a file of version 2 every setup has its own</source>
@@ -5169,7 +5201,11 @@
     </message>
     <message>
         <source>install its commands (Debian: slurm-client), or give --on local</source>
-        <translation>installer ses commandes (Debian : slurm-client), ou donner --on local</translation>
+        <translation>installer ses commandes (Debian : slurm-client), ou donner --on local</translation>
+    </message>
+    <message>
+        <source>inward</source>
+        <translation>vers le dedans</translation>
     </message>
     <message>
         <source>is JSON, but no glTF: it has no asset</source>
@@ -5193,7 +5229,7 @@
     </message>
     <message>
         <source>is a packed project: its files have no place of their own</source>
-        <translation>est un projet compressé : ses fichiers n'ont pas d'emplacement propre</translation>
+        <translation>est un projet compressé : ses fichiers n'ont pas d'emplacement propre</translation>
     </message>
     <message>
         <source>is a tool library of a newer Facetmill</source>
@@ -5357,7 +5393,7 @@
     </message>
     <message>
         <source>is what the project as it stands comes to, which is not known: {1}</source>
-        <translation>est ce à quoi arrive le projet tel quel, ce qui n'est pas connu : {1}</translation>
+        <translation>est ce à quoi arrive le projet tel quel, ce qui n'est pas connu : {1}</translation>
     </message>
     <message>
         <source>is {1}</source>
@@ -5417,7 +5453,7 @@
     </message>
     <message>
         <source>it does not take the job: {1}</source>
-        <translation>il ne prend pas la tâche : {1}</translation>
+        <translation>il ne prend pas la tâche : {1}</translation>
     </message>
     <message>
         <source>it ends where a number is missing</source>
@@ -5813,7 +5849,7 @@
     </message>
     <message>
         <source>lost: {1}</source>
-        <translation>perdu : {1}</translation>
+        <translation>perdu : {1}</translation>
     </message>
     <message>
         <source>low {1}</source>
@@ -5828,8 +5864,8 @@
         <translation>baisser l'avance</translation>
     </message>
     <message>
-        <source>machine '{1}' does not hold {2} of {3} motions as planned: </source>
-        <translation>la machine '{1}' ne tient pas {2} des {3} mouvements comme planifié : </translation>
+        <source>machine '{1}' does not hold {2} of {3} motions as planned: {4}</source>
+        <translation>la machine '{1}' ne tient pas {2} des {3} mouvements comme prévu : {4}</translation>
     </message>
     <message>
         <source>machine '{1}' has no table that turns the part about this axis: choose one such as 'lathe-mill', or turn the part into its axis</source>
@@ -5861,7 +5897,7 @@
     </message>
     <message>
         <source>measured are: {1}</source>
-        <translation>sont mesurés : {1}</translation>
+        <translation>sont mesurés : {1}</translation>
     </message>
     <message>
         <source>mend it, or leave it out</source>
@@ -5997,7 +6033,7 @@
     </message>
     <message>
         <source>name each once: {1}</source>
-        <translation>nommer chacune une fois : {1}</translation>
+        <translation>nommer chacune une fois : {1}</translation>
     </message>
     <message>
         <source>name faces of the part's file</source>
@@ -6085,7 +6121,7 @@
     </message>
     <message>
         <source>nearest comes {1} ({2}): {3}</source>
-        <translation>le plus proche est {1} ({2}) : {3}</translation>
+        <translation>le plus proche est {1} ({2}) : {3}</translation>
     </message>
     <message>
         <source>needles</source>
@@ -6109,7 +6145,7 @@
     </message>
     <message>
         <source>no candidate meets the limits; {1}</source>
-        <translation>aucun candidat ne respecte les limites ; {1}</translation>
+        <translation>aucun candidat ne respecte les limites ; {1}</translation>
     </message>
     <message>
         <source>no code means '{1}'</source>
@@ -6504,6 +6540,10 @@
         <translation>sortir des instructions GOTO droites (ni arcs, ni cycles, ni transformations)</translation>
     </message>
     <message>
+        <source>outward</source>
+        <translation>vers le dehors</translation>
+    </message>
+    <message>
         <source>paint facets, widen it, or move it onto the part</source>
         <translation>peindre des facettes, l'élargir, ou la déplacer sur la pièce</translation>
     </message>
@@ -6602,6 +6642,10 @@
     <message>
         <source>plan the setups before this one</source>
         <translation>planifier les posages précédents</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>planifiée</translation>
     </message>
     <message>
         <source>plunge</source>
@@ -6853,7 +6897,7 @@
     </message>
     <message>
         <source>see whether Slurm runs: sinfo</source>
-        <translation>voir si Slurm tourne : sinfo</translation>
+        <translation>voir si Slurm tourne : sinfo</translation>
     </message>
     <message>
         <source>send Z home first</source>
@@ -7172,8 +7216,8 @@
         <translation>la commande ne le lirait pas</translation>
     </message>
     <message>
-        <source>the control's: zero in {1}</source>
-        <translation>celui de la commande : origine en {1}</translation>
+        <source>the control's, its zero in {1}</source>
+        <translation>celles de la commande, leur origine dans {1}</translation>
     </message>
     <message>
         <source>the coordinate {1} is beyond {2}</source>
@@ -7577,7 +7621,7 @@
     </message>
     <message>
         <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
-        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
+        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
     </message>
     <message>
         <source>the limits {1} and {2} leave no travel</source>
@@ -7905,11 +7949,11 @@
     </message>
     <message>
         <source>the program that works on studies, facetmill-cli, is not here</source>
-        <translation>le programme qui travaille aux études, facetmill-cli, n&apos;est pas là</translation>
+        <translation>le programme qui travaille aux études, facetmill-cli, n'est pas là</translation>
     </message>
     <message>
         <source>the program that wrote it is wrong: export the part by another one</source>
-        <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
+        <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
     </message>
     <message>
         <source>the project as it stands</source>
@@ -8037,7 +8081,7 @@
     </message>
     <message>
         <source>the step-down of {1} leaves cusps of {2}; the tolerance allows {3}</source>
-        <translation>la descente de {1} laisse des crêtes de {2} ; la tolérance en permet {3}</translation>
+        <translation>la descente de {1} laisse des crêtes de {2} ; la tolérance en permet {3}</translation>
     </message>
     <message>
         <source>the step-over of {1} leaves cusps of {2}; the tolerance allows {3}</source>
@@ -8261,7 +8305,7 @@
     </message>
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
-        <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait</translation>
+        <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
@@ -8501,7 +8545,7 @@
     </message>
     <message>
         <source>there are: {1}</source>
-        <translation>il y a : {1}</translation>
+        <translation>il y a : {1}</translation>
     </message>
     <message>
         <source>there is motion after END</source>
@@ -8513,7 +8557,7 @@
     </message>
     <message>
         <source>there is no '{1}'; there are {2}</source>
-        <translation>il n'y a pas de '{1}' ; il y a {2}</translation>
+        <translation>il n'y a pas de '{1}' ; il y a {2}</translation>
     </message>
     <message>
         <source>there is no CUTTER statement</source>
@@ -8869,7 +8913,7 @@
     </message>
     <message>
         <source>two setups have such an operation: name the setup</source>
-        <translation>deux posages ont une telle opération : nommer le posage</translation>
+        <translation>deux posages ont une telle opération : nommer le posage</translation>
     </message>
     <message>
         <source>two work coordinate systems in '{1}'</source>
@@ -9077,7 +9121,7 @@
     </message>
     <message>
         <source>use the same one on all machines, or begin with this one: study run</source>
-        <translation>utiliser le même sur tous les ordinateurs, ou commencer avec celui-ci : study run</translation>
+        <translation>utiliser le même sur tous les ordinateurs, ou commencer avec celui-ci : study run</translation>
     </message>
     <message>
         <source>value {1} of {2}, '{3}', is not a number</source>
@@ -9085,7 +9129,7 @@
     </message>
     <message>
         <source>vary: no combination is possible</source>
-        <translation>vary : aucune combinaison n'est possible</translation>
+        <translation>vary : aucune combinaison n'est possible</translation>
     </message>
     <message>
         <source>vertices</source>
@@ -9401,7 +9445,7 @@
     </message>
     <message>
         <source>write setups[NAME]. before it; setups there are: {1}</source>
-        <translation>écrire setups[NAME]. devant ; posages présents : {1}</translation>
+        <translation>écrire setups[NAME]. devant ; posages présents : {1}</translation>
     </message>
     <message>
         <source>write smooth or flat</source>
@@ -9533,7 +9577,7 @@
     </message>
     <message>
         <source>zigzag cuts open passes whichever way is nearer; oneway always with the part on the right of the travel (climb milling).</source>
-        <translation>zigzag usine les passes ouvertes dans le sens le plus proche ; un sens toujours avec la pièce à droite de l'avance (en avalant).</translation>
+        <translation>zigzag usine les passes ouvertes dans le sens le plus proche ; un sens toujours avec la pièce à droite de l'avance (en avalant).</translation>
     </message>
     <message>
         <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
@@ -9825,7 +9869,7 @@
     </message>
     <message>
         <source>{1} of the surface would only be cut by a tip below the lowest level: allow it by 'Below the bottom', where nothing holds the stock there</source>
-        <translation>{1} de la surface ne seraient usinés que par une pointe sous le niveau le plus bas : permettez-le par 'Sous le fond', là où rien n'y tient le brut</translation>
+        <translation>{1} de la surface ne seraient usinés que par une pointe sous le niveau le plus bas : permettez-le par 'Sous le fond', là où rien n'y tient le brut</translation>
     </message>
     <message>
         <source>{1} of what is to be cut is left uncut, up to {2} ({3}), limit {4}</source>
@@ -9972,6 +10016,10 @@
         <translation>{1}, facette {2}</translation>
     </message>
     <message>
+        <source>{1}, its zero in {2}</source>
+        <translation>{1}, origine dans {2}</translation>
+    </message>
+    <message>
         <source>{1}, line {2}</source>
         <translation>{1}, ligne {2}</translation>
     </message>
@@ -10042,10 +10090,6 @@
     <message>
         <source>{1}: the tool goes up {2} times so that rotary axes can turn.</source>
         <translation>{1} : l'outil remonte {2} fois pour que les axes rotatifs puissent tourner.</translation>
-    </message>
-    <message>
-        <source>{1}: zero in {2}</source>
-        <translation>{1} : origine en {2}</translation>
     </message>
     <message>
         <source>{1}: {2} of passes, {3} of the surface uncut where the cutter could go</source>
@@ -10156,7 +10200,7 @@
     </message>
     <message>
         <source>%1 About %2 on this computer, as long as the project itself took.</source>
-        <translation>%1 Environ %2 sur cet ordinateur, d&apos;après ce que le projet lui-même a pris.</translation>
+        <translation>%1 Environ %2 sur cet ordinateur, d'après ce que le projet lui-même a pris.</translation>
     </message>
     <message>
         <source>%1 CC points</source>
@@ -10242,9 +10286,9 @@
         <source>%1 min left</source>
         <translation>encore %1 min</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 of %2 facets</source>
-        <translation>%1 facettes sur %2</translation>
+        <translation><numerusform>%1 facette sur %2</numerusform><numerusform>%1 facettes sur %2</numerusform></translation>
     </message>
     <message>
         <source>%1 of %2 postures free</source>
@@ -10432,7 +10476,7 @@
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation>
+        <translation>Ann&amp;uler</translation>
     </message>
     <message>
         <source>&amp;Close program</source>
@@ -10636,7 +10680,7 @@
     </message>
     <message>
         <source>&amp;Unpack</source>
-        <translation>&amp;Décompresser</translation>
+        <translation>Déco&amp;mpresser</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
@@ -10652,7 +10696,7 @@
     </message>
     <message>
         <source>,  .</source>
-        <translation>,</translation>
+        <translation>,  .</translation>
     </message>
     <message>
         <source>, %1 deep</source>
@@ -10752,7 +10796,7 @@
     </message>
     <message>
         <source>A bar per candidate, as high as its machining time, in a strip for each stage of the study</source>
-        <translation>Une barre par candidat, haute comme son temps d&apos;usinage, dans une bande pour chaque étape de l&apos;étude</translation>
+        <translation>Une barre par candidat, haute comme son temps d'usinage, dans une bande pour chaque étape de l'étude</translation>
     </message>
     <message>
         <source>A closed curve has three corners or more: click on the part.</source>
@@ -10768,7 +10812,7 @@
     </message>
     <message>
         <source>A line per candidate across an axis for everything that varies and for measures; a drag along an axis keeps a range of it</source>
-        <translation>Une ligne par candidat à travers un axe pour tout ce qui varie et pour les mesures ; glisser le long d&apos;un axe en garde une plage</translation>
+        <translation>Une ligne par candidat à travers un axe pour tout ce qui varie et pour les mesures ; glisser le long d'un axe en garde une plage</translation>
     </message>
     <message>
         <source>A new study of this project</source>
@@ -10812,19 +10856,19 @@
     </message>
     <message>
         <source>A step of its own: goes on as the surface around bends</source>
-        <translation>Une étape à part : continue la courbure de la surface autour</translation>
+        <translation>Une étape à part : continue la courbure de la surface autour</translation>
     </message>
     <message>
         <source>A step of its own: it stays open whatever the others say</source>
-        <translation>Une étape à part : il reste ouvert quoi que disent les autres</translation>
+        <translation>Une étape à part : il reste ouvert quoi que disent les autres</translation>
     </message>
     <message>
         <source>A step of its own: takes the least area</source>
-        <translation>Une étape à part : prend le moins d'aire</translation>
+        <translation>Une étape à part : prend le moins d'aire</translation>
     </message>
     <message>
         <source>A study works on the project as it is saved: save it first.</source>
-        <translation>Une étude travaille sur le projet tel qu&apos;il est enregistré : enregistrez-le d&apos;abord.</translation>
+        <translation>Une étude travaille sur le projet tel qu'il est enregistré : enregistrez-le d'abord.</translation>
     </message>
     <message>
         <source>A value is not valid</source>
@@ -10908,7 +10952,7 @@
     </message>
     <message>
         <source>Af&amp;ter</source>
-        <translation>A&amp;près</translation>
+        <translation>Aprè&amp;s</translation>
     </message>
     <message>
         <source>After</source>
@@ -11048,7 +11092,7 @@
     </message>
     <message>
         <source>Ask anew, from the project as it is now</source>
-        <translation>Demander à nouveau, à partir du projet tel qu&apos;il est</translation>
+        <translation>Demander à nouveau, à partir du projet tel qu'il est</translation>
     </message>
     <message>
         <source>At %1: </source>
@@ -11196,11 +11240,11 @@
     </message>
     <message>
         <source>Candidate %1 is the project now; what was changed since the study began is as it was then. Undo takes it back.</source>
-        <translation>Le candidat %1 est maintenant le projet ; ce qui a changé depuis le début de l&apos;étude est comme alors. Annuler revient en arrière.</translation>
+        <translation>Le candidat %1 est maintenant le projet ; ce qui a changé depuis le début de l'étude est comme alors. Annuler revient en arrière.</translation>
     </message>
     <message>
         <source>Candidate %1 wins: %2 of machining, against %3 of the project as it stands.</source>
-        <translation>Le candidat %1 gagne : %2 d&apos;usinage, contre %3 pour le projet tel quel.</translation>
+        <translation>Le candidat %1 gagne : %2 d'usinage, contre %3 pour le projet tel quel.</translation>
     </message>
     <message>
         <source>Candidates</source>
@@ -11208,11 +11252,11 @@
     </message>
     <message>
         <source>Candidates by two measures; a line joins those that no other surpasses</source>
-        <translation>Candidats selon deux mesures ; une ligne joint ceux qu&apos;aucun autre ne surpasse</translation>
+        <translation>Candidats selon deux mesures ; une ligne joint ceux qu'aucun autre ne surpasse</translation>
     </message>
     <message>
         <source>Candidates that are worked on at once; what comes out does not depend on it</source>
-        <translation>Candidats traités à la fois ; le résultat n&apos;en dépend pas</translation>
+        <translation>Candidats traités à la fois ; le résultat n'en dépend pas</translation>
     </message>
     <message>
         <source>Candidates: %1 to plan, about %2 to judge coarsely and %3 finely.</source>
@@ -11404,7 +11448,7 @@
     </message>
     <message>
         <source>Click: shown in the view. Right click: how it is filled</source>
-        <translation>Clic : montré dans la vue. Clic droit : comment il est rempli</translation>
+        <translation>Clic : montré dans la vue. Clic droit : comment il est rempli</translation>
     </message>
     <message>
         <source>Click: the view goes there. Check mark: whether the strip is cut.</source>
@@ -11420,11 +11464,11 @@
     </message>
     <message>
         <source>Closed curves of open edges; the rim of an open sheet is one of them. A click goes to one.</source>
-        <translation>Courbes fermées d'arêtes ouvertes ; le bord d'une feuille ouverte en est une. Un clic va à l'une d'elles.</translation>
+        <translation>Courbes fermées d'arêtes ouvertes ; le bord d'une feuille ouverte en est une. Un clic va à l'une d'elles.</translation>
     </message>
     <message>
         <source>Closes holes up to a diameter; nothing else changes.</source>
-        <translation>Ferme les trous jusqu'à un diamètre ; rien d'autre ne change.</translation>
+        <translation>Ferme les trous jusqu'à un diamètre ; rien d'autre ne change.</translation>
     </message>
     <message>
         <source>Collisions</source>
@@ -11732,7 +11776,7 @@
     </message>
     <message>
         <source>Everything that varies beside what comes of it; drag along an axis to keep a range, click it to let go</source>
-        <translation>Tout ce qui varie à côté de ce qui en résulte ; glissez le long d&apos;un axe pour garder une plage, un clic la libère</translation>
+        <translation>Tout ce qui varie à côté de ce qui en résulte ; glissez le long d'un axe pour garder une plage, un clic la libère</translation>
     </message>
     <message>
         <source>Excess</source>
@@ -12012,7 +12056,7 @@
     </message>
     <message>
         <source>Fills one hole as you choose, or leaves it open; other steps fill the rest.</source>
-        <translation>Remplit un trou comme vous le choisissez, ou le laisse ouvert ; d'autres étapes remplissent le reste.</translation>
+        <translation>Remplit un trou comme vous le choisissez, ou le laisse ouvert ; d'autres étapes remplissent le reste.</translation>
     </message>
     <message>
         <source>Find by name, shape, material or library</source>
@@ -12124,7 +12168,7 @@
     </message>
     <message>
         <source>Front of the study</source>
-        <translation>Front de l&apos;étude</translation>
+        <translation>Front de l'étude</translation>
     </message>
     <message>
         <source>Fusion</source>
@@ -12176,7 +12220,7 @@
     </message>
     <message>
         <source>Goes on with another scan where this one ends; the two overlap.</source>
-        <translation>Continue par un autre scan là où celui-ci finit ; les deux se recouvrent.</translation>
+        <translation>Continue par un autre scan là où celui-ci finit ; les deux se recouvrent.</translation>
     </message>
     <message>
         <source>Goes round steep walls and flanks at one height after another</source>
@@ -12208,7 +12252,7 @@
     </message>
     <message>
         <source>Handing the study over</source>
-        <translation>Remise de l&apos;étude</translation>
+        <translation>Remise de l'étude</translation>
     </message>
     <message>
         <source>Height of the part as it lies</source>
@@ -12262,7 +12306,7 @@
     </message>
     <message>
         <source>How far the study is</source>
-        <translation>Avancement de l&apos;étude</translation>
+        <translation>Avancement de l'étude</translation>
     </message>
     <message>
         <source>How far the table may be tilted before the part falls</source>
@@ -12496,7 +12540,7 @@
     </message>
     <message>
         <source>Looking at the study</source>
-        <translation>Examen de l&apos;étude</translation>
+        <translation>Examen de l'étude</translation>
     </message>
     <message>
         <source>Looking at what is known…</source>
@@ -12619,6 +12663,10 @@
         <translation>Il manque aussi : %1.</translation>
     </message>
     <message>
+        <source>Mo&amp;use like</source>
+        <translation>&amp;Souris comme</translation>
+    </message>
+    <message>
         <source>More excess than this has the last blue</source>
         <translation>Les excédents plus grands ont le dernier bleu</translation>
     </message>
@@ -12629,10 +12677,6 @@
     <message>
         <source>Motions</source>
         <translation>Mouvements</translation>
-    </message>
-    <message>
-        <source>Mouse &amp;like</source>
-        <translation>&amp;Souris comme</translation>
     </message>
     <message>
         <source>Mouse, colours, machine of new projects, threads (Ctrl+,)</source>
@@ -12756,7 +12800,7 @@
     </message>
     <message>
         <source>No candidate has been looked at yet.</source>
-        <translation>Aucun candidat n&apos;a encore été examiné.</translation>
+        <translation>Aucun candidat n'a encore été examiné.</translation>
     </message>
     <message>
         <source>No defects found.</source>
@@ -12880,7 +12924,7 @@
     </message>
     <message>
         <source>Nothing is wanted: choose a measure.</source>
-        <translation>Rien n&apos;est souhaité : choisissez une mesure.</translation>
+        <translation>Rien n'est souhaité : choisissez une mesure.</translation>
     </message>
     <message>
         <source>Nothing may vary: choose at least two values of something, such as two tools.</source>
@@ -13016,7 +13060,7 @@
     </message>
     <message>
         <source>Open a study's file, or the folder of one</source>
-        <translation>Ouvrir le fichier d&apos;une étude, ou son dossier</translation>
+        <translation>Ouvrir le fichier d'une étude, ou son dossier</translation>
     </message>
     <message>
         <source>Open edges</source>
@@ -13044,7 +13088,7 @@
     </message>
     <message>
         <source>Opening the study</source>
-        <translation>Ouverture de l&apos;étude</translation>
+        <translation>Ouverture de l'étude</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -13145,6 +13189,10 @@
     <message>
         <source>Pairs of facets that run through each other</source>
         <translation>Paires de facettes qui se traversent</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
     </message>
     <message>
         <source>Parallel</source>
@@ -13404,7 +13452,7 @@
     </message>
     <message>
         <source>Put the chosen candidate into the project, as one step that Undo takes back</source>
-        <translation>Mettre le candidat choisi dans le projet, en une étape qu&apos;Annuler défait</translation>
+        <translation>Mettre le candidat choisi dans le projet, en une étape qu'Annuler défait</translation>
     </message>
     <message>
         <source>Put the steps away</source>
@@ -13655,6 +13703,11 @@
         <translation>Exemples</translation>
     </message>
     <message>
+        <source>Samples</source>
+        <comment>places looked at</comment>
+        <translation>Points mesurés</translation>
+    </message>
+    <message>
         <source>Save &amp;as…</source>
         <translation>Enregistrer &amp;sous…</translation>
     </message>
@@ -13780,7 +13833,7 @@
     </message>
     <message>
         <source>Shells: facets that are joined by edges. A click goes to one.</source>
-        <translation>Coques : facettes jointes par des arêtes. Un clic va à l'une d'elles.</translation>
+        <translation>Coques : facettes jointes par des arêtes. Un clic va à l'une d'elles.</translation>
     </message>
     <message>
         <source>Show</source>
@@ -13920,7 +13973,7 @@
     </message>
     <message>
         <source>Stages of the study</source>
-        <translation>Étapes de l&apos;étude</translation>
+        <translation>Étapes de l'étude</translation>
     </message>
     <message>
         <source>Standing</source>
@@ -13932,7 +13985,7 @@
     </message>
     <message>
         <source>Step %1 is with Slurm, jobs %2 and %3.</source>
-        <translation>L&apos;étape %1 est chez Slurm, travaux %2 et %3.</translation>
+        <translation>L'étape %1 est chez Slurm, travaux %2 et %3.</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -14142,7 +14195,7 @@
     </message>
     <message>
         <source>Takes facets without height away; nothing moves farther than the bound.</source>
-        <translation>Enlève les facettes sans hauteur ; rien ne bouge plus que la limite.</translation>
+        <translation>Enlève les facettes sans hauteur ; rien ne bouge plus que la limite.</translation>
     </message>
     <message>
         <source>Takes loose pieces away that are smaller than a limit.</source>
@@ -14154,7 +14207,7 @@
     </message>
     <message>
         <source>Takes short waves away; nothing moves farther than the bound, sharp edges stay.</source>
-        <translation>Enlève les ondes courtes ; rien ne bouge plus que la limite, les arêtes vives restent.</translation>
+        <translation>Enlève les ondes courtes ; rien ne bouge plus que la limite, les arêtes vives restent.</translation>
     </message>
     <message>
         <source>Takes the stock down layer by layer, and leaves an allowance</source>
@@ -14258,7 +14311,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
-        <translation>Le maillage a %1. Il est usiné tel quel ; la salle des scans le rend digne d'être usiné.</translation>
+        <translation>Le maillage a %1. Il est usiné tel quel ; l'atelier de scan le rend digne d'être usiné.</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
@@ -14350,7 +14403,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The picture that is seen, as PNG</source>
-        <translation>L&apos;image visible, en PNG</translation>
+        <translation>L'image visible, en PNG</translation>
     </message>
     <message>
         <source>The posture kept for the point is forgotten. Plan again to choose one.</source>
@@ -14402,15 +14455,15 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The study is not at its end: Resume goes on with it.</source>
-        <translation>L&apos;étude n&apos;est pas finie : Reprendre la continue.</translation>
+        <translation>L'étude n'est pas finie : Reprendre la continue.</translation>
     </message>
     <message>
         <source>The study is of another part, %1: open its project first.</source>
-        <translation>L&apos;étude est celle d&apos;une autre pièce, %1 : ouvrez d&apos;abord son projet.</translation>
+        <translation>L'étude est celle d'une autre pièce, %1 : ouvrez d'abord son projet.</translation>
     </message>
     <message>
         <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
-        <translation>La surface du verdict avec ses écarts : en chiffres dans PLY, en couleurs dans 3MF et STL</translation>
+        <translation>La surface du verdict avec ses écarts : en chiffres dans PLY, en couleurs dans 3MF et STL</translation>
     </message>
     <message>
         <source>The template cannot be applied: %1</source>
@@ -14430,7 +14483,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The tool's path</source>
-        <translation>La trajectoire de l&apos;outil</translation>
+        <translation>La trajectoire de l'outil</translation>
     </message>
     <message>
         <source>The tried posture is not free: it would not be used</source>
@@ -14490,7 +14543,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>There is nothing to adopt.</source>
-        <translation>Il n&apos;y a rien à adopter.</translation>
+        <translation>Il n'y a rien à adopter.</translation>
     </message>
     <message>
         <source>There is nothing to compare</source>
@@ -14510,7 +14563,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>These are more than %1 combinations: let less vary, or try some of them.</source>
-        <translation>Cela fait plus de %1 combinaisons : faites varier moins, ou n&apos;en essayez qu&apos;une partie.</translation>
+        <translation>Cela fait plus de %1 combinaisons : faites varier moins, ou n'en essayez qu'une partie.</translation>
     </message>
     <message>
         <source>These values make no cutter.
@@ -14524,7 +14577,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>This candidate has not been verified finely.</source>
-        <translation>Ce candidat n&apos;a pas été vérifié finement.</translation>
+        <translation>Ce candidat n'a pas été vérifié finement.</translation>
     </message>
     <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
@@ -14632,7 +14685,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Tool changes</source>
-        <translation>Changements d&apos;outil</translation>
+        <translation>Changements d'outil</translation>
     </message>
     <message>
         <source>Tool diameter (%1), lead limit %2</source>
@@ -14748,7 +14801,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Turns facets to agree with their neighbours and shells outward; doubles go.</source>
-        <translation>Oriente les facettes comme leurs voisines et les coques vers l'extérieur ; les doubles partent.</translation>
+        <translation>Oriente les facettes comme leurs voisines et les coques vers l'extérieur ; les doubles partent.</translation>
     </message>
     <message>
         <source>Turns the part about Z until its box is smallest, the longer side along X</source>
@@ -14772,7 +14825,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Two measures against each other; the line joins the best</source>
-        <translation>Deux mesures l&apos;une contre l&apos;autre ; la ligne joint les meilleurs</translation>
+        <translation>Deux mesures l'une contre l'autre ; la ligne joint les meilleurs</translation>
     </message>
     <message>
         <source>Type</source>
@@ -14872,11 +14925,11 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Verified in %1: %2: no gouge, no collision.</source>
-        <translation>Vérifié dans %1 : %2 : aucune entaille, aucune collision.</translation>
+        <translation>Vérifié en %1 : %2 : aucune entaille, aucune collision.</translation>
     </message>
     <message>
         <source>Verified in %1: no gouge, no collision.</source>
-        <translation>Vérifié dans %1 : aucune entaille, aucune collision.</translation>
+        <translation>Vérifié en %1 : aucune entaille, aucune collision.</translation>
     </message>
     <message>
         <source>Verified: %1: no gouge, no collision</source>
@@ -15008,7 +15061,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>What the study asks</source>
-        <translation>Ce que demande l&apos;étude</translation>
+        <translation>Ce que demande l'étude</translation>
     </message>
     <message>
         <source>What the view shows</source>
@@ -15076,7 +15129,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Working on the study</source>
-        <translation>Travail sur l&apos;étude</translation>
+        <translation>Travail sur l'étude</translation>
     </message>
     <message>
         <source>Write the chosen tools, or all that are shown, for another program</source>
@@ -15376,7 +15429,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>facet left out: more than two on an edge</source>
-        <translation>facette laissée de côté : plus de deux sur une arête</translation>
+        <translation>facette laissée de côté : plus de deux sur une arête</translation>
     </message>
     <message>
         <source>facet made anew</source>
@@ -15424,7 +15477,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>facets left out: more than two on an edge</source>
-        <translation>facettes laissées de côté : plus de deux sur une arête</translation>
+        <translation>facettes laissées de côté : plus de deux sur une arête</translation>
     </message>
     <message>
         <source>facets made anew</source>

@@ -155,8 +155,8 @@ private slots:
         const QByteArray sheet = block.file("sheet.html");
         for (const char* text :
              {"2 setups", "Verified: no gouge", "Setup 1 \xC2\xB7 Top", "Setup 2 \xC2\xB7 Bottom",
-              "turned by 180\xC2\xB0 about X, then moved by 0, 30, 24 mm", "G54: zero in", "G55: zero in",
-              "what setup &#39;Top&#39; left"})
+              "turned by 180\xC2\xB0 about X, then moved by 0, 30, 24 mm", "G54, its zero in",
+              "G55, its zero in", "what setup &#39;Top&#39; left"})
             QVERIFY2(sheet.contains(text) || sheet.contains(QByteArray(text).replace("&#39;", "'")), text);
         QCOMPARE(sheet.count("Verification by removal"), 1);
     }

@@ -516,7 +516,7 @@ private slots:
             sheet = std::regex_replace(sheet, std::regex("<[^>]*>"), "|");
             const auto has = [&](const std::string& part) { return sheet.find(part) != std::string::npos; };
             QVERIFY(has(find_post(job.project.programs.post).label));
-            QVERIFY(has(tip ? "|tip (TCP)|" : "|joints|") && has("G54: zero in the part's origin"));
+            QVERIFY(has(tip ? "|tip (TCP)|" : "|joints|") && has("G54, its zero in the part's origin"));
             QVERIFY(has("|T1 70 mm|") && has("|" + duration_text(program.seconds) + "|"));
             double low = infinity, high = -infinity;
             const std::regex word(" C(-?[0-9.]+)");
