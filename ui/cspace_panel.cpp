@@ -120,7 +120,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     readout_->setWordWrap(true);
     readout_->setTextFormat(Qt::PlainText);
     readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    readout_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2); // the view does not jump
+    readout_->setFixedHeight(3 * fontMetrics().lineSpacing() + 2); // the view does not jump
     readout_->setMinimumWidth(40);
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(readout_);

@@ -47,7 +47,7 @@ void show_shortcuts(QWidget* window) {
     row(QObject::tr("F1"), QObject::tr("the manual, at the place of what has the keys"));
     row(QObject::tr("Del"), QObject::tr("remove the selected tool or operation"));
     auto* box = new QMessageBox(QMessageBox::NoIcon, QObject::tr("Keys and mouse"),
-                                QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows),
+                                QStringLiteral("<table cellspacing=\"0\" width=\"700\">%1</table>").arg(rows),
                                 QMessageBox::Close, window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();

@@ -7,6 +7,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/usual_project_box.h"
+#include "ui/viewport.h"
 #include "ui/worded.h"
 
 #include <QEvent>
@@ -24,9 +25,9 @@ namespace {
 
 /// Points of the view that lists of pictures need.
 constexpr int room_width = 520, room_height = 480;
-/// Pictures in a row before the list scrolls.
-constexpr int in_a_row = 4;
-constexpr int gap = 8;
+/// Pictures in a row before the list scrolls, or goes on below.
+constexpr int min_in_a_row = 4, max_in_a_row = 6;
+constexpr int gap = 8, side_margin = 22;
 
 QLabel* heading(const QString& words, QWidget* parent) {
     auto* label = new QLabel(words, parent);
@@ -85,7 +86,7 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     lists->addWidget(usual_);
 
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(22, 18, 22, 18);
+    column->setContentsMargins(side_margin, 18, side_margin, 18);
     column->setSpacing(10);
     column->addWidget(title_);
     column->addWidget(text_);
@@ -95,7 +96,6 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     place();
 }
 
-/// One row of pictures, which scrolls.
 QListWidget* StartHint::make_list(const QString& name, const QString& called) {
     auto* list = new QListWidget(more_);
     list->setObjectName(name);
@@ -110,9 +110,17 @@ QListWidget* StartHint::make_list(const QString& name, const QString& called) {
     list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const QSize cell = list->iconSize() + QSize(2 * gap, list->fontMetrics().height() + 2 * gap);
     list->setGridSize(cell);
-    list->setFixedSize(in_a_row * cell.width() + 4,
-                       cell.height() + list->horizontalScrollBar()->sizeHint().height() + 2);
     return list;
+}
+
+/// All pictures where they fit, in rows of so many; else one row that scrolls.
+void StartHint::lay_out(QListWidget& list, int in_a_row, int spare_height) {
+    const QSize cell = list.gridSize();
+    const int rows = std::max(1, (list.count() + in_a_row - 1) / in_a_row);
+    const bool all = (rows - 1) * cell.height() <= spare_height;
+    const int bar = list.horizontalScrollBar()->sizeHint().height();
+    list.setWrapping(all);
+    list.setFixedSize(in_a_row * cell.width() + 4, all ? rows * cell.height() + 2 : cell.height() + bar + 2);
 }
 
 QString StartHint::short_name(const QString& name) const {
@@ -151,6 +159,10 @@ void StartHint::place() {
     if (!parentWidget()) return;
     const QSize room = parentWidget()->size();
     more_->setVisible(room.width() >= room_width && room.height() >= room_height);
+    const int columns = std::clamp((room.width() - 2 * side_margin - 40) / samples_->gridSize().width(),
+                                   min_in_a_row, max_in_a_row);
+    lay_out(*recent_, columns, 0);
+    lay_out(*samples_, columns, room.height() - room_height);
     adjustSize();
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
 }
@@ -163,7 +175,21 @@ bool StartHint::eventFilter(QObject* object, QEvent* event) {
 void StartHint::showEvent(QShowEvent* event) {
     list_recent();
     place();
+    show_axes(false);
     QFrame::showEvent(event);
+}
+
+void StartHint::hideEvent(QHideEvent* event) {
+    show_axes(true);
+    QFrame::hideEvent(event);
+}
+
+/// Axes of nothing would look out from behind the page.
+void StartHint::show_axes(bool on) {
+    auto* view = qobject_cast<Viewport*>(parentWidget());
+    if (!view || view->scene().visible(Layer::axes) == on) return;
+    view->scene().set_visible(Layer::axes, on);
+    view->content_changed();
 }
 
 } // namespace facetmill::ui

@@ -31,9 +31,12 @@ signals:
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     QListWidget* make_list(const QString& name, const QString& called);
+    static void lay_out(QListWidget& list, int in_a_row, int spare_height);
+    void show_axes(bool on);
     /// As much of a name as stands below a picture.
     QString short_name(const QString& name) const;
     void list_recent();

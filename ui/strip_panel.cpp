@@ -57,6 +57,7 @@ StripPanel::StripPanel(QWidget* parent) : QWidget(parent) {
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setMargin(12);
     empty_->setTextFormat(Qt::PlainText);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
     empty_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     pages_->addWidget(empty_);
 

@@ -12,6 +12,12 @@
 
 namespace facetmill::ui {
 
+namespace {
+
+constexpr int shown_operation = 32; ///< characters of an operation's name: what follows is what one looks for
+
+} // namespace
+
 ToolController::ToolController(Document& document, Viewport& viewport, const PathController& paths,
                                VerificationController& verification, StatusLine& status, QObject* window)
     : Controller(window), document_(document), viewport_(viewport), paths_(paths),
@@ -74,6 +80,7 @@ QString ToolController::readout_of(const PathPick& pick) const {
         operation
         && program == document_.result(*operation)) // else a further program of it, or an opened one
         readout = text(document_.operation(*operation).common().name);
+    readout = elided(readout, shown_operation);
     if (const CutterContact* cc = shown().contact_of(pick))
         return readout
                + tr("   pass %1, point %2   CC %3   CL %4 %5")

@@ -99,8 +99,9 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     remarks_->setTextFormat(Qt::RichText);
     for (QWidget* w : std::initializer_list<QWidget*>{figures_, histogram_, range_, findings_title_})
         results->addWidget(w);
-    results->addWidget(findings_, 1);
+    results->addWidget(findings_, 100);
     results->addWidget(remarks_);
+    results->addStretch(1); // words stay together where there is nothing to list
     column->addWidget(results_, 1);
     column->addStretch(0);
     setWidget(page);
@@ -279,7 +280,7 @@ QString VerificationPanel::figures_html() const {
     }
     html += row(tr("Collisions"), count_text(v.collisions.size()),
                 v.collisions.empty() ? QString() : signal.bad.name());
-    html += row(tr("Samples"), count_text(f.samples));
+    html += row(tr("Samples", "places looked at"), count_text(f.samples));
     html += row(tr("Resolution"), length(v.used.resolution));
     html += QStringLiteral("</table>");
 
