@@ -169,6 +169,7 @@ DeviationRangeEditor::DeviationRangeEditor(QWidget* parent) : QWidget(parent) {
         b->setKeyboardTracking(false);
         b->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         b->setToolTip(tip);
+        b->setAccessibleName(tip);
         b->setMinimumWidth(56);
         b->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(b, &QDoubleSpinBox::valueChanged, this, &DeviationRangeEditor::take);
@@ -181,6 +182,7 @@ DeviationRangeEditor::DeviationRangeEditor(QWidget* parent) : QWidget(parent) {
     back->setIcon(icon(Icon::reset));
     back->setAutoRaise(true);
     back->setToolTip(tr("Range from the tolerance"));
+    back->setAccessibleName(back->toolTip());
     connect(back, &QToolButton::clicked, this, &DeviationRangeEditor::reset);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

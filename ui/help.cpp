@@ -42,7 +42,12 @@ constexpr std::pair<const char*, const char*> help_chapters[] = {
     {"start_hint", "first_job.html"},
     {"first_steps", "first_job.html"},
     {"layer_bar", "simulation.html#layers"},
+    {"workspaces", "simulation.html#layers"},
+    {"message_bar", "planning.html#messages"},
+    {"unit", "part.html#unit"},
+    {"unsaved_changes", "export.html#files"},
     {"viewport", "keyboard.html#mouse"},
+    {"main_window", "keyboard.html"}, // of what has no place of its own
 };
 
 constexpr std::pair<const char*, const char*> help_scopes[] = {

@@ -29,8 +29,7 @@ void mark_line(QWidget* widget, bool invalid) {
         const QPalette base = widget->parentWidget() ? widget->parentWidget()->palette() : QPalette();
         const QColor bad = signal_colors(base).bad;
         const QColor ground = base.color(QPalette::Base);
-        palette = base;
-        palette.setColor(QPalette::Text, bad);
+        palette = base; // words in their own colour, which can be read on the other ground as well
         palette.setColor(QPalette::Base, mixed(ground, 5, bad));
     }
     widget->setPalette(palette);

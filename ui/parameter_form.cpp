@@ -193,9 +193,9 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.reset->setIcon(icon(Icon::reset));
     row.reset->setIconSize(QSize(14, 14));
     row.reset->setAutoRaise(true);
-    row.reset->setFocusPolicy(Qt::NoFocus);
     row.reset->setObjectName(QStringLiteral("reset_") + text(info.key));
     row.reset->setToolTip(tr("Back to the default"));
+    row.reset->setAccessibleName(said_of(row.label->text(), row.reset->toolTip()));
     QSizePolicy keep = row.reset->sizePolicy();
     keep.setRetainSizeWhenHidden(true);
     row.reset->setSizePolicy(keep);

@@ -92,9 +92,9 @@ void PlaybackBar::add_drive(QBoxLayout& row) {
 void PlaybackBar::add_fields(QBoxLayout& row) {
     operation_ = new QComboBox(this);
     operation_->setObjectName(QStringLiteral("play_operation"));
-    operation_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    operation_->setMinimumContentsLength(5);
-    operation_->setMaximumWidth(170);
+    operation_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    operation_->setMinimumWidth(85);
+    operation_->setMaximumWidth(400);
     operation_->setFocusPolicy(Qt::TabFocus);
     connect(operation_, &QComboBox::activated, this, [this](int i) {
         playback_.pause();
@@ -105,8 +105,9 @@ void PlaybackBar::add_fields(QBoxLayout& row) {
     goto_->setObjectName(QStringLiteral("play_goto"));
     goto_->setKeyboardTracking(false);
     goto_->setPrefix(tr("GOTO "));
-    goto_->setFocusPolicy(Qt::ClickFocus);
+    goto_->setFocusPolicy(Qt::StrongFocus);
     goto_->setToolTip(tr("Number of the GOTO in the operation's program"));
+    goto_->setAccessibleName(goto_->toolTip());
     connect(goto_, &QSpinBox::valueChanged, this, [this](int n) {
         if (!playback_.loaded()) return;
         playback_.pause();

@@ -35,6 +35,7 @@ bool WindowDocks::eventFilter(QObject* object, QEvent* event) {
         if (auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
             bar->setElideMode(Qt::ElideNone);
             bar->setUsesScrollButtons(true);
+            bar->setAccessibleName(QObject::tr("Panels"));
         }
     return QObject::eventFilter(object, event);
 }
