@@ -1,5 +1,8 @@
 #include "tests/screenshot/shown_texts.h"
 
+#include "ui/language.h"
+#include "viz/overlay_words.h"
+
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QFile>
@@ -158,6 +161,27 @@ QString EnglishTexts::in(const QString& shown) const {
         if (is_of(words, one))
             return QStringLiteral("“%1”: %2").arg(words.left(120), one.between.join(QChar(0x2026)).left(80));
     return {};
+}
+
+PaintedTexts::PaintedTexts() {
+    set_overlay_words([this](const std::string& english) {
+        const std::string said = ui::said_in_view(english);
+        texts_ << QString::fromStdString(said);
+        return said;
+    });
+}
+
+PaintedTexts::~PaintedTexts() {
+    set_overlay_words(ui::said_in_view);
+}
+
+QStringList PaintedTexts::not_in(const EnglishTexts& english) const {
+    QStringList found;
+    for (const QString& text : texts_)
+        for (const QString& part : text.split(QStringLiteral(", ")))
+            if (const QString why = english.in(part); !why.isEmpty())
+                found << QStringLiteral("in the view: “%1”: %2").arg(text, why);
+    return found;
 }
 
 } // namespace facetmill::test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QHash>
+#include <QSet>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -30,6 +31,21 @@ private:
     bool is_of(const QString& shown, const Template& one) const;
     QHash<QString, bool> plain_, translated_;
     QList<Template> templates_;
+};
+
+/// What scenes write from now on, as long as it lives; to be made after a language was chosen.
+class PaintedTexts {
+public:
+    PaintedTexts();
+    ~PaintedTexts();
+    PaintedTexts(const PaintedTexts&) = delete;
+    PaintedTexts& operator=(const PaintedTexts&) = delete;
+    /// Those that are not in the language, with why.
+    QStringList not_in(const EnglishTexts& english) const;
+    bool any() const { return !texts_.isEmpty(); }
+
+private:
+    QSet<QString> texts_; ///< as they are seen
 };
 
 } // namespace facetmill::test
