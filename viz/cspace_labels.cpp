@@ -13,6 +13,22 @@ bool same(const ChosenPosture& a, const ChosenPosture& b) {
            && std::abs(a.posture.delta - b.posture.delta) < 1e-6;
 }
 
+constexpr double note_half = 8; ///< of a note's height
+
+bool covers(const LayoutRect& a, const LayoutRect& b) {
+    return a.x0 < b.x1 && a.x1 > b.x0 && a.y0 < b.y1 && a.y1 > b.y0;
+}
+
+LayoutRect note_rect(const OverlayNote& n, const std::function<double(const std::string&)>& width) {
+    const double w = width(n.text), x = n.at.x() - (n.end < 0 ? 0 : n.end > 0 ? w : w / 2);
+    const double aside = n.framed ? 3 : 0;
+    return {x - aside, n.at.y() - note_half, x + w + aside, n.at.y() + note_half};
+}
+
+LayoutRect spot_rect(const OverlaySpot& spot) {
+    return {spot.at.x() - 7, spot.at.y() - 7, spot.at.x() + 7, spot.at.y() + 7};
+}
+
 } // namespace
 
 std::vector<LegendEntry> cspace_legend(const CSpaceContent& content, Palette palette) {
@@ -65,33 +81,53 @@ void add_markers(OverlayContent& content, std::vector<CSpaceMarker> markers,
     // From the upper one on.
     std::sort(markers.begin(), markers.end(),
               [](const CSpaceMarker& a, const CSpaceMarker& b) { return a.at.y() < b.at.y(); });
-    constexpr double margin = 10, half = 8, line = 2 * half + 1, beside = 13;
+    constexpr double margin = 10, half = note_half, line = 2 * half + 1, beside = 13;
     std::vector<LayoutRect> taken;
     for (const auto& spot : content.spots)
-        taken.push_back({spot.at.x() - 7, spot.at.y() - 7, spot.at.x() + 7, spot.at.y() + 7});
+        taken.push_back(spot_rect(spot));
+    std::vector<LayoutRect> written;
+    for (const OverlayNote& n : content.notes)
+        written.push_back(note_rect(n, name_width));
     const double width = content.width / content.ratio;
     for (const CSpaceMarker& m : markers) {
         const double w = name_width(m.name);
         const double right = m.at.x() + beside, left = m.at.x() - beside - w;
         Vec2 place(right + w > width - margin ? std::max(4.0, left) : right, m.at.y());
-        const auto free = [&](double x, double y) {
-            if (x < 4 || x + w > width - margin) return false;
-            return std::none_of(taken.begin(), taken.end(), [&](const LayoutRect& r) {
-                return x < r.x1 && x + w > r.x0 && y - half < r.y1 && y + half > r.y0;
-            });
+        const auto panel = [&](const Vec2& at) {
+            return LayoutRect{at.x() - 3, at.y() - half, at.x() + w + 3, at.y() + half};
         };
-        const auto find = [&] {
+        const auto free = [&](const std::vector<LayoutRect>& of, const Vec2& at) {
+            return std::none_of(of.begin(), of.end(),
+                                [&](const LayoutRect& r) { return covers(panel(at), r); });
+        };
+        const auto find = [&](bool beside_numbers) {
             for (const double down : {0.0, line, -line, 2 * line, -2 * line, 3 * line})
-                for (const double x : {right, left})
-                    if (free(x, m.at.y() + down)) {
-                        place = {x, m.at.y() + down};
-                        return;
-                    }
+                for (const double x : {right, left}) {
+                    const Vec2 at(x, m.at.y() + down);
+                    if (x < 4 || x + w > width - margin || !free(taken, at)) continue;
+                    if (beside_numbers && !free(written, at)) continue;
+                    place = at;
+                    return true;
+                }
+            return false;
         };
-        find();
-        taken.push_back({place.x() - 3, place.y() - half, place.x() + w + 3, place.y() + half});
+        if (!find(true)) (void)find(false);
+        taken.push_back(panel(place));
         content.notes.push_back({place, -1, m.name, true, true});
     }
+}
+
+void leave_out_covered(OverlayContent& content, const std::function<double(const std::string&)>& name_width) {
+    std::vector<LayoutRect> over;
+    for (const OverlaySpot& spot : content.spots)
+        over.push_back(spot_rect(spot));
+    for (const OverlayNote& n : content.notes)
+        if (n.framed) over.push_back(note_rect(n, name_width));
+    std::erase_if(content.notes, [&](const OverlayNote& n) {
+        const LayoutRect own = note_rect(n, name_width);
+        return !n.framed
+               && std::any_of(over.begin(), over.end(), [&](const LayoutRect& r) { return covers(r, own); });
+    });
 }
 
 } // namespace facetmill

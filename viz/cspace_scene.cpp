@@ -325,11 +325,12 @@ struct CSpaceScene::Impl {
             if (probe)
                 markers.push_back(
                     {display_of(display->place(*probe)) / ratio, colors_of(palette).marker_ring, "tried"});
-            add_markers(c, std::move(markers),
-                        [&](const std::string& name) { return overlay->note_width(name, true); });
+            const auto width = [&](const std::string& name) { return overlay->note_width(name, true); };
+            add_markers(c, std::move(markers), width);
             if (content->free_nodes == 0)
                 c.notes.push_back(
                     {{c.width / ratio / 2, above_box + 6}, 0, "No posture is free here", true, true});
+            leave_out_covered(c, width);
         }
         return c;
     }
@@ -464,6 +465,9 @@ void CSpaceScene::set_legend_visible(bool on) {
 void CSpaceScene::set_probe(const std::optional<PostureValue>& posture) {
     impl_->probe = posture;
     impl_->build_stems();
+}
+std::vector<OverlayNote> CSpaceScene::notes() const {
+    return impl_->overlay_content(true).notes;
 }
 std::vector<LegendEntry> CSpaceScene::legend() const {
     if (!impl_->content) return {};

@@ -54,6 +54,8 @@ public:
     std::optional<std::size_t> marker_at(double x, double y, double radius) const;
     /// Needs content.
     Vec2 display_of(const PostureValue& posture) const;
+    /// What stands beside axes and markers, layout pixels.
+    std::vector<OverlayNote> notes() const;
 
 private:
     struct Impl;

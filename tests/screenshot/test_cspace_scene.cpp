@@ -2,6 +2,7 @@
 // pixel.
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
+#include "viz/cspace_labels.h"
 #include "viz/offscreen.h"
 #include "viz/overlay.h"
 #include "viz/render_picture.h"
@@ -104,6 +105,35 @@ class TestCSpaceScene : public QObject {
     void check(const Picture& picture, const char* name) {
         const std::string wrong = check_picture(picture, name, FACETMILL_PICTURE_OUT);
         QVERIFY2(wrong.empty(), wrong.c_str());
+    }
+
+    /// How many numbers there are.
+    int whole_notes(const CSpaceScene& scene, double width, double height) {
+        struct Box {
+            double x0, y0, x1, y1;
+            std::string text;
+            bool name; ///< of an axis or a marker
+        };
+        std::vector<Box> boxes;
+        int numbers = 0;
+        for (const OverlayNote& n : scene.notes()) {
+            const double w = 6.2 * double(n.text.size()); // about what its letters take
+            const double x = n.at.x() - (n.end < 0 ? 0 : n.end > 0 ? w : w / 2);
+            boxes.push_back({x, n.at.y() - 5, x + w, n.at.y() + 5, n.text, n.bold});
+            if (n.bold) continue;
+            ++numbers;
+            const Box& b = boxes.back();
+            if (!(b.x0 > 0 && b.x1 < width && b.y0 > 0 && b.y1 < height))
+                QTest::qFail(("cut by the border: " + n.text).c_str(), __FILE__, __LINE__);
+        }
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const Box &a = boxes[i], &b = boxes[j];
+                if (a.name && b.name) continue; // those of markers that lie together, without room
+                if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1)
+                    QTest::qFail((a.text + " lies on " + b.text).c_str(), __FILE__, __LINE__);
+            }
+        return numbers;
     }
 
 private slots:
@@ -211,6 +241,48 @@ private slots:
                     ++hits;
                 }
         QVERIFY(hits > 10);
+    }
+
+    /// Numbers of the axes are read whole: they lie in the picture, and no name of a marker covers one.
+    void no_number_of_an_axis_is_cut() {
+        OffscreenWindow window;
+        CSpaceScene scene;
+        int numbers = 0;
+        for (const CSpaceContent& content : {free_point(), crowded_point(), empty_point()}) {
+            scene.set_content(std::make_shared<const CSpaceContent>(content));
+            for (const auto& [width, height] : {std::pair(300, 140), {200, 150}, {372, 540}, {620, 300}}) {
+                window.show(scene, width, height);
+                scene.reset_view();
+                for (int turn = 0; turn < 8; ++turn) {
+                    window.render();
+                    scene.turn(pi / 4, turn % 2 ? 0.1 : -0.1);
+                    scene.fit();
+                    window.render();
+                    numbers += whole_notes(scene, width, height);
+                    if (QTest::currentTestFailed()) return;
+                }
+            }
+        }
+        QVERIFY(numbers > 500);
+    }
+
+    void names_of_markers_keep_off_numbers() {
+        OverlayContent content;
+        content.width = 300;
+        content.height = 140;
+        content.notes = {{{120, 50}, 0, "-15", false, false}, {{120, 90}, 0, "-30", false, false}};
+        const auto width = [](const std::string& name) { return 8.0 * double(name.size()); };
+        add_markers(content, {{{100, 50}, Rgb(), "local"}}, width);
+        QCOMPARE(content.notes.size(), std::size_t(3)); // beside it, below it or above it
+        // Where there is room nowhere else a number goes.
+        content.notes = {{{20, 50}, 0, "-15", false, false}, {{20, 90}, 0, "-30", false, false}};
+        content.spots.clear();
+        content.width = 60;
+        add_markers(content, {{{16, 50}, Rgb(), "loc"}}, width);
+        QCOMPARE(content.notes.size(), std::size_t(3));
+        leave_out_covered(content, width);
+        QCOMPARE(content.notes.size(), std::size_t(2));
+        QCOMPARE(content.notes.front().text, std::string("-30"));
     }
 
     void the_legend_names_what_is_there() {
