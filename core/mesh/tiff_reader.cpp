@@ -141,6 +141,11 @@ public:
             values[c] = !white_is_low_ ? v : without_scale ? -v : 1 - v;
         }
     }
+    /// Some of libtiff's decoders complain about damage and go on: what they make of it is no picture. After
+    /// the last row.
+    void check_sound() const {
+        if (file_.message[0] != '\0') refuse();
+    }
     /// Whether another picture follows. The last that is asked.
     bool has_more() { return TIFFReadDirectory(tiff_.get()) == 1; }
 
@@ -356,6 +361,7 @@ TriangleSoup read_tiff(const MeshSource& source, const Progress& progress) {
             }
         builder.add_row(row);
     }
+    picture.check_sound();
     if (picture.without_scale) builder.stretch();
     if (picture.bits <= 8) warnings.insert("picture_steps");
     if (picture.has_colours) warnings.insert("picture_colours");
