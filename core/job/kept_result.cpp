@@ -324,6 +324,11 @@ void code_fields(Coder& coder, T& v) {
     auto& [from, to, figures] = v;
     coder(from, to, figures);
 }
+template <class Coder, CodedAs<CuttingLoad> T>
+void code_fields(Coder& coder, T& v) {
+    auto& [volume, peak_rate, peak_motion] = v;
+    coder(volume, peak_rate, peak_motion);
+}
 template <class Coder, CodedAs<DeviationExtreme> T>
 void code_fields(Coder& coder, T& v) {
     auto& [point, normal, deviation, by] = v;
@@ -359,11 +364,12 @@ void code_fields(Coder& coder, T& v) {
 }
 template <class Coder, CodedAs<Verification> T>
 void code_fields(Coder& coder, T& v) {
-    auto& [stock, surface, figures, border, bands, program_gouges, program_air, gouges, excess, collisions,
-           uncut, uncut_share, not_judged_share, not_judged, loose, remarks, used, seconds_cutting,
-           seconds_probing] = v;
-    coder(surface, figures, border, bands, program_gouges, program_air, gouges, excess, collisions, uncut,
-          uncut_share, not_judged_share, not_judged, loose, remarks, used, seconds_cutting, seconds_probing);
+    auto& [stock, surface, figures, border, bands, program_gouges, program_air, program_loads, gouges, excess,
+           collisions, uncut, uncut_share, not_judged_share, not_judged, loose, remarks, used,
+           seconds_cutting, seconds_probing] = v;
+    coder(surface, figures, border, bands, program_gouges, program_air, program_loads, gouges, excess,
+          collisions, uncut, uncut_share, not_judged_share, not_judged, loose, remarks, used, seconds_cutting,
+          seconds_probing);
 }
 template <class Coder, CodedAs<CarriedStock> T>
 void code_fields(Coder& coder, T& v) {

@@ -47,6 +47,7 @@ struct LineRange {
 void take_lines(const std::vector<VerifyProgram>& read, const LineRange& range, VerifyProgram& into) {
     auto motions = std::make_shared<ToolMotions>();
     into.lines.clear();
+    into.feeds.clear();
     auto joints = std::make_shared<std::vector<Joints>>();
     bool told = true; // how the joints stand
     for (const VerifyProgram& p : read) {
@@ -54,6 +55,7 @@ void take_lines(const std::vector<VerifyProgram>& read, const LineRange& range, 
         const auto take = [&](std::size_t m, MotionKind kind, std::uint32_t line) {
             motions->motions.push_back({kind, all[m].to});
             into.lines.push_back(line);
+            into.feeds.push_back(p.feed_of(m));
             if (told) joints->push_back((*p.joints)[m]);
         };
         for (std::size_t m = 0; m < all.size(); ++m) {
@@ -274,6 +276,7 @@ NcFilePrograms parse_posted(const Project& project, const PreparedPart& part, co
         VerifyProgram program{
             std::move(called), VerifyTool(*tool), {section, &section->motions}, turning, {}, machine};
         program.lines = std::move(read.lines[i]);
+        set_feeds(program, *section);
         if (!read.joints[i].empty())
             program.joints = std::make_shared<const std::vector<Joints>>(std::move(read.joints[i]));
         result.programs.push_back(std::move(program));
@@ -331,6 +334,9 @@ void tell_posted(Verification& verification, const PostedPrograms& posted) {
 }
 
 void name_planned_motions(Verification& verification, const PostedPrograms& posted) {
+    for (std::size_t p = 0; p < verification.program_loads.size() && p < posted.planned.size(); ++p)
+        if (std::size_t& at = verification.program_loads[p].peak_motion; at < posted.planned[p].size())
+            at = posted.planned[p][at];
     const auto rename = [&](MotionPlace& at) {
         if (!at.known() || at.program >= posted.planned.size()) return;
         if (const auto& planned = posted.planned[at.program]; at.motion < planned.size())

@@ -246,6 +246,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             machine,
                             o->joints});
         programs.back().leaves = may_leave(project, o->name);
+        set_feeds(programs.back(), o->program);
         if (o->within)
             programs.back().asked = [region = o->within->region, view = o->view](const Vec3& p) {
                 Index hint = no_index;
@@ -254,6 +255,11 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
     }
     stand_fixtures(programs, *plan->part);
     return programs;
+}
+
+void set_feeds(VerifyProgram& program, const ClSection& section) {
+    program.feed = section.feed_mm_per_min;
+    program.feeds = section.motion_feeds;
 }
 
 void stand_fixtures(std::vector<VerifyProgram>& programs, const PreparedPart& part) {
@@ -346,6 +352,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
         result.programs.push_back(
             {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt, {}, machine});
         result.programs.back().leaves = may_leave(project, section->operation_name);
+        set_feeds(result.programs.back(), *section);
         result.sections.push_back(section);
     }
     return result;
@@ -450,6 +457,10 @@ Json verify_object(const Project& project, std::span<const VerifyProgram> progra
         one["gouge_max"] = n.length(v.program_gouges[i]);
         one["collisions"] = count;
         one["feed_in_air_length"] = n.length(v.program_air[i]);
+        const CuttingLoad& load = v.program_loads[i];
+        one["volume_removed"] = n.volume(load.volume);
+        one["peak_removal_rate"] = n.volume(load.peak_rate);
+        if (load.peak_rate > 0) one["peak_removal_goto"] = load.peak_motion + 1;
         one["verdict"] = verdict_name(v.verdict_where(count > 0 || v.program_gouges[i] > v.used.gouge_limit));
         operations.push_back(std::move(one));
     }

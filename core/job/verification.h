@@ -17,6 +17,9 @@ namespace facetmill {
 std::vector<VerifyProgram> verify_programs(const Project& project,
                                            const std::shared_ptr<const PlanResult>& plan);
 
+/// The feeds that a section of a program has.
+void set_feeds(VerifyProgram& program, const ClSection& section);
+
 /// Puts the fixtures of the part's setup into programs that run in it.
 void stand_fixtures(std::vector<VerifyProgram>& programs, const PreparedPart& part);
 

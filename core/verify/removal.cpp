@@ -115,6 +115,8 @@ MaterialRemoval::MaterialRemoval(std::span<const VerifyProgram> programs, double
         bodies_.push_back(std::move(bodies));
     }
     air_.assign(programs.size(), 0);
+    for (const Bodies& bodies : bodies_)
+        meters_.emplace_back(2 * bodies.cutter.radius());
 }
 
 MaterialRemoval::~MaterialRemoval() = default;
@@ -227,6 +229,7 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
         straight_moves(from, motion.to, p.turning, 0, end, reach, motion_bound_, moves);
         const bool rapid = motion.kind == MotionKind::rapid;
         const bool turns = from.axis != motion.to.axis;
+        if (rapid) steps_.push_back({.program = program, .motion = i, .lifts = true});
         for (const StraightMove& move : moves) {
             const auto watched = [&](const TurnedBody& body, Collision::Kind kind) {
                 const Box3 box = move.box(body);
@@ -242,6 +245,7 @@ void MaterialRemoval::cut(StockModel& stock, std::size_t program, std::size_t fi
         if (items.size() >= items_per_batch) flush(stock, items, progress);
         progress.set(double(i - first) / double(last - first));
     }
+    if (last == motions.size()) steps_.push_back({.program = program, .motion = last, .lifts = true});
     flush(stock, items, progress);
     progress.set(1.0);
 }
@@ -259,7 +263,12 @@ void MaterialRemoval::add_cut(const StraightMove& move, std::size_t program, std
                                  move.from + double(k + 1) / double(pieces) * route, move.axis};
         const Box3 box = piece.box(cutter);
         const double own = length / double(pieces);
-        if (apart(box, stock_box))
+        const bool beside = apart(box, stock_box);
+        steps_.push_back({.program = program,
+                          .motion = motion,
+                          .length = own,
+                          .item = beside ? std::size_t(-1) : items.size()});
+        if (beside)
             air_[program] += own;
         else
             items.push_back({&cutter, piece, box, program, motion, true, Collision::Kind::rapid, own});
@@ -267,11 +276,12 @@ void MaterialRemoval::add_cut(const StraightMove& move, std::size_t program, std
 }
 
 void MaterialRemoval::flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress) {
-    if (items.empty()) return;
+    if (items.empty()) return tell_meters({});
     RemovalBatch batch(stock.solid(), stock.lattice(), stock.tiles_, items, only_);
     batch.run(progress);
     for (std::size_t n = 0; n < items.size(); ++n)
         if (items[n].length > 0 && !batch.has_cut(n)) air_[items[n].program] += items[n].length;
+    tell_meters(batch.volumes());
     grown_ += batch.grown();
     if (grown_ > 0 && std::size_t(grown_) > max_bytes_)
         throw Error(ErrorCode::limit_exceeded, "resolution",
@@ -282,6 +292,18 @@ void MaterialRemoval::flush(StockModel& stock, std::vector<RemovalItem>& items, 
 
     keep(batch.touches(), items.front());
     items.clear();
+}
+
+void MaterialRemoval::tell_meters(const std::vector<double>& volumes) {
+    for (const Step& step : steps_) {
+        LoadMeter& meter = meters_[step.program];
+        if (step.lifts)
+            meter.lift();
+        else
+            meter.add(step.length, programs_[step.program].feed_of(step.motion),
+                      step.item < volumes.size() ? volumes[step.item] : 0, step.motion);
+    }
+    steps_.clear();
 }
 
 void MaterialRemoval::keep(const std::vector<std::vector<RemovalTouch>>& touches, const RemovalItem& first) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/verify/cutting_load.h"
 #include "core/verify/program.h"
 #include "core/verify/stock_model.h"
 
@@ -72,23 +73,36 @@ public:
     /// the cutter is wide, those in which it met no ray of the stock as it stood then. What is thinner than
     /// `air_depth` is nothing; where the axis turns, what the bound leaves of an earlier motion is something.
     double air_length(std::size_t program) const { return air_[program]; }
+    /// What a program's cutter has taken away so far, and how much of it at once: of stretches of the path as
+    /// long as the cutter is wide (cutting_load.h).
+    const CuttingLoad& load(std::size_t program) const { return meters_[program].load(); }
     /// The collisions so far: the deepest of each motion and kind, in the order of motions.
     std::vector<Collision> collisions() const;
 
 private:
     struct Bodies;
+    /// What a meter is told once it is known what was cut: of a piece of a motion at feed, or a rapid.
+    struct Step {
+        std::size_t program, motion;
+        double length = 0;                  ///< mm
+        std::size_t item = std::size_t(-1); ///< that cuts it; -1: none does
+        bool lifts = false;                 ///< a rapid
+    };
     void add_cut(const StraightMove& move, std::size_t program, std::size_t motion, const Box3& stock_box,
                  std::vector<RemovalItem>& items);
     void flush(StockModel& stock, std::vector<RemovalItem>& items, const Progress& progress);
+    void tell_meters(const std::vector<double>& volumes);
     void keep(const std::vector<std::vector<RemovalTouch>>& touches, const RemovalItem& first);
 
     std::span<const VerifyProgram> programs_;
     double motion_bound_, touch_;
     std::size_t max_bytes_;
-    std::ptrdiff_t grown_ = 0;   ///< bytes of the rays cut so far
-    std::vector<Bodies> bodies_; ///< per program
-    std::vector<double> air_;    ///< per program, mm
-    int only_ = -1;              ///< see cut_only_along
+    std::ptrdiff_t grown_ = 0;      ///< bytes of the rays cut so far
+    std::vector<Bodies> bodies_;    ///< per program
+    std::vector<double> air_;       ///< per program, mm
+    std::vector<LoadMeter> meters_; ///< per program
+    std::vector<Step> steps_;       ///< since the last flush
+    int only_ = -1;                 ///< see cut_only_along
     std::vector<RemovalTouch> touches_;
 };
 

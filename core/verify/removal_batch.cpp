@@ -35,11 +35,17 @@ public:
     bool has_changed() const { return changed_; }
     /// Whether the last item, which is asked for that, has taken away enough to be cutting.
     bool has_cut() const { return cut_; }
+    /// What it has taken away, mm^3.
+    double volume() const { return volume_; }
+    /// From so many rays.
+    std::uint32_t rays() const { return rays_; }
 
     /// The longest overlap with what must not touch.
     const RemovalTouch& apply(const RemovalItem& item, const SweepRays& swept) {
         touch_ = {item.program, item.motion, item.kind, {}, {}};
         cut_ = false;
+        volume_ = 0;
+        rays_ = 0;
         low_ = float(item.box.lo[axis_] - middle_[axis_]);
         high_ = float(item.box.hi[axis_] - middle_[axis_]);
         if (is_void(all_)) return touch_;
@@ -163,13 +169,26 @@ private:
             if (find_void(ray, from, to)) continue;
             if (item.cuts) {
                 if (item.length > 0 && !cut_) cut_ = overlap(ray, from, to) > air_depth;
-                changed_ |= tile_.remove(ray, from, to);
+                take(i, j, tile_.remove(ray, from, to));
                 find_void(ray, from, to);
             } else {
                 p[u_] = lattice_.origin[u_] + (i0_ + i) * lattice_.spacing[u_];
                 see_overlaps(ray, from, to, p);
             }
         }
+    }
+
+    /// Notes that ray (i, j) of the tile has lost so much of its length.
+    void take(int i, int j, double length) {
+        if (!(length > 0)) return;
+        changed_ = true;
+        ++rays_;
+        // As in StockModel::volume.
+        const auto on_border = [&](int at, int k) {
+            return at == 0 || at == lattice_.nodes[std::size_t(k)] - 1;
+        };
+        const double weight = (on_border(i0_ + i, u_) ? 0.5 : 1) * (on_border(j0_ + j, v_) ? 0.5 : 1);
+        volume_ += weight * length * lattice_.spacing[u_] * lattice_.spacing[v_];
     }
 
     /// Whether [from, to] of a ray is known to hold no material.
@@ -234,6 +253,8 @@ private:
     int axis_, u_, v_, i0_, j0_;
     float low_ = 0, high_ = 0; ///< of the item, along the rays
     bool changed_ = false, cut_ = false;
+    double volume_ = 0;
+    std::uint32_t rays_ = 0;
     RemovalTouch touch_;
     /// Of each ray a stretch without material, the one last met.
     std::array<float, std::size_t(RayTile::side) * RayTile::side> void_lo_, void_hi_;
@@ -272,7 +293,7 @@ void RemovalBatch::find_work(int axis) {
                     continue;
                 if (of_tile[index] < 0) {
                     of_tile[index] = std::int32_t(work_.size());
-                    work_.push_back({axis, i, j, {}});
+                    work_.push_back({axis, i, j, {}, {}});
                 }
                 work_[std::size_t(of_tile[index])].items.push_back(std::uint32_t(n));
                 used_[n][k] = true;
@@ -296,7 +317,7 @@ void RemovalBatch::run(const Progress& progress) {
 }
 
 void RemovalBatch::apply(std::size_t w, const Progress& progress) {
-    const Work& work = work_[w];
+    Work& work = work_[w];
     const auto axis = std::size_t(work.axis);
     auto& place = place_of(work);
     const std::ptrdiff_t before = place ? bytes_of(*place) : 0;
@@ -310,17 +331,41 @@ void RemovalBatch::apply(std::size_t w, const Progress& progress) {
     const Vec3 middle = solid_.box.center();
     TileCut cut(*tile, lattice_, middle, work.axis, work.tile_i, work.tile_j);
     std::size_t done = 0;
+    work.removed.reserve(work.items.size());
     for (const std::uint32_t n : work.items) {
         if (++done % items_per_check == 0) progress.check();
         const RemovalTouch& touch = cut.apply(items_[n], *rays_[n][axis]);
         if (touch.overlap[axis] > 0) touches_[w].push_back(touch);
         if (cut.has_cut()) cut_[n].store(true, std::memory_order_relaxed);
+        work.removed.push_back({float(cut.volume()), cut.rays()});
     }
     if (!cut.has_changed()) return; // what nothing was cut from stays as the solid is, and costs nothing
     tile->find_bounds();
     tile->stamp = RayTile::next_stamp();
     grown_[w] = bytes_of(*tile) - before;
     place = std::move(tile);
+}
+
+std::vector<double> RemovalBatch::volumes() const {
+    struct Removed {
+        std::array<double, 3> volume{0, 0, 0};
+        std::array<std::size_t, 3> rays{0, 0, 0};
+    };
+    std::vector<Removed> by_family(items_.size());
+    // In the order of tiles, whichever was done first.
+    for (const Work& work : work_)
+        for (std::size_t n = 0; n < work.removed.size(); ++n) {
+            Removed& of = by_family[work.items[n]];
+            of.volume[std::size_t(work.axis)] += double(work.removed[n].volume);
+            of.rays[std::size_t(work.axis)] += work.removed[n].rays;
+        }
+    std::vector<double> volumes;
+    volumes.reserve(by_family.size());
+    for (const Removed& of : by_family) {
+        const auto most = std::max_element(of.rays.begin(), of.rays.end()) - of.rays.begin();
+        volumes.push_back(of.volume[std::size_t(most)]);
+    }
+    return volumes;
 }
 
 std::ptrdiff_t RemovalBatch::grown() const {

@@ -54,16 +54,24 @@ public:
 
     /// Whether an item with a length has taken something away.
     bool has_cut(std::size_t item) const { return cut_[item].load(std::memory_order_relaxed); }
+    /// The volume that each item has taken away, mm^3: by the family of rays of which most have lost
+    /// something. Those that cross a thin cut know how thick it is; of those along it some or none meet it.
+    std::vector<double> volumes() const;
     /// Bytes by which the tiles have grown; less than 0 where they have shrunk.
     std::ptrdiff_t grown() const;
     /// A list for each tile that was reached; within it in the order of items.
     const std::vector<std::vector<RemovalTouch>>& touches() const { return touches_; }
 
 private:
+    struct RemovedHere {
+        float volume = 0;       ///< mm^3
+        std::uint32_t rays = 0; ///< that have lost something
+    };
     /// A tile with the items that may change it.
     struct Work {
         int axis, tile_i, tile_j;
         std::vector<std::uint32_t> items;
+        std::vector<RemovedHere> removed; ///< by each of them
     };
     std::shared_ptr<RayTile>& place_of(const Work& work) const;
     void find_work(int axis);

@@ -46,10 +46,10 @@ void RayTile::append(int ray, float from, float to) {
     more[place] = {from, to, none};
 }
 
-bool RayTile::remove(int ray, float from, float to) {
+double RayTile::remove(int ray, float from, float to) {
     Piece& head = first[std::size_t(ray)];
-    if (head.empty()) return false;
-    bool changed = false;
+    if (head.empty()) return 0;
+    double length = 0;
     // `before` leads to the piece at hand; pieces are named by place, as `more` may grow.
     std::uint32_t before = none, at = none; // `at` none: the head
     while (true) {
@@ -57,7 +57,7 @@ bool RayTile::remove(int ray, float from, float to) {
         if (p.lo >= to) break;
         const std::uint32_t next = p.next;
         if (p.hi > from) {
-            changed = true;
+            length += double(std::min(p.hi, to)) - double(std::max(p.lo, from));
             if (p.lo < from && p.hi > to) {
                 const float end = p.hi;
                 p.hi = from;
@@ -90,7 +90,7 @@ bool RayTile::remove(int ray, float from, float to) {
         before = at;
         at = next;
     }
-    return changed;
+    return length;
 }
 
 void RayTile::find_bounds() {

@@ -28,8 +28,8 @@ struct RayTile {
 
     /// Appends a stretch above all that the ray has.
     void append(int ray, float from, float to);
-    /// Takes [from, to] out of a ray; true when it had some of it.
-    bool remove(int ray, float from, float to);
+    /// Takes [from, to] out of a ray: the length of what it had of it, mm.
+    double remove(int ray, float from, float to);
     void find_bounds();
     static std::uint64_t next_stamp();
 

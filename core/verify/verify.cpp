@@ -420,8 +420,10 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     v.stock = cut_all(stock, programs, v.used, removal, true,
                       progress.part(0.0, 0.6, "Removing material" + long_work));
     v.collisions = removal.collisions();
-    for (std::size_t i = 0; i < programs.size(); ++i)
+    for (std::size_t i = 0; i < programs.size(); ++i) {
         v.program_air.push_back(removal.air_length(i));
+        v.program_loads.push_back(removal.load(i));
+    }
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();

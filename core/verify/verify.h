@@ -134,10 +134,11 @@ enum class Verdict : std::uint8_t { verified, failed, not_judged };
 struct Verification {
     std::shared_ptr<const StockModel> stock;
     std::shared_ptr<const DeviationSurface> surface;
-    DeviationFigures figures, border;   ///< away from open borders; near them
-    std::vector<SlopeBand> bands;       ///< 0-15, 15-30, ... 75-90 degrees
-    std::vector<double> program_gouges; ///< deepest gouge that each program cut, >= 0
-    std::vector<double> program_air;    ///< MaterialRemoval::air_length of each program, mm
+    DeviationFigures figures, border;       ///< away from open borders; near them
+    std::vector<SlopeBand> bands;           ///< 0-15, 15-30, ... 75-90 degrees
+    std::vector<double> program_gouges;     ///< deepest gouge that each program cut, >= 0
+    std::vector<double> program_air;        ///< MaterialRemoval::air_length of each program, mm
+    std::vector<CuttingLoad> program_loads; ///< MaterialRemoval::load of each program
     std::vector<DeviationExtreme>
         gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise
