@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace facetmill {
 
@@ -98,6 +99,37 @@ void measure_judged(const JudgedChain& judged, RungResult& result) {
     raise(m[Measure::uncut_share], v.uncut_share);
 }
 
+/// Of a tool, in all chains.
+struct ToolLoad {
+    double volume = 0, edges = 0; ///< mm^3; z d^2, mm^2
+};
+
+void measure_loads(const JudgedJob& judged, RungResult& result) {
+    constexpr long usual_edges = 2;
+    std::map<long, ToolLoad> tools;
+    Measures& m = result.measures;
+    double per = 1;
+    for (const JudgedChain& chain : judged.chains) {
+        std::size_t program = 0;
+        for (const SetupPlan& setup : chain.setups) {
+            per = mm_per(setup.project.unit);
+            for (const auto& operation : setup.plan->operations) {
+                const CuttingLoad& load = chain.result->program_loads.at(program);
+                const double wide = 2 * chain.programs.programs[program].tool.cutter.max_radius();
+                const Tool* tool = find_tool(setup.project.tools, operation->program.tool_number);
+                const long edges = tool && tool->flutes > 0 ? tool->flutes : usual_edges;
+                ToolLoad& of = tools[operation->program.tool_number];
+                of.volume += load.volume;
+                of.edges = double(edges) * wide * wide;
+                raise(m[Measure::peak_load], load.peak_rate / (per * per * per));
+                ++program;
+            }
+        }
+    }
+    for (const auto& [number, tool] : tools)
+        raise(m[Measure::wear], tool.volume / tool.edges / per);
+}
+
 /// `max_samples`: as VerifySettings has it.
 void judge(SeenCandidate& seen, const Project& base, Rung rung, std::size_t max_samples,
            const Progress& progress) {
@@ -116,6 +148,7 @@ void judge(SeenCandidate& seen, const Project& base, Rung rung, std::size_t max_
         progress);
     for (const JudgedChain& chain : judged.chains)
         measure_judged(chain, result);
+    measure_loads(judged, result);
     const Verdict verdict = judged.verdict();
     result.passed = verdict == Verdict::verified;
     if (!result.passed) result.why = verdict_name(verdict) + ": " + judged.findings();

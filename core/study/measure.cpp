@@ -26,6 +26,8 @@ constexpr std::array<MeasureInfo, measure_count> measure_infos = {{
     {"excess_p99", Rung::coarse, true},
     {"excess_p95", Rung::coarse, true},
     {"uncut_share", Rung::coarse, false},
+    {"peak_load", Rung::coarse, false},
+    {"wear", Rung::coarse, true},
 }};
 
 } // namespace
@@ -64,6 +66,12 @@ Rung known_from(Measure measure) {
 
 bool is_length(Measure measure) {
     return measure_infos.at(std::size_t(measure)).length;
+}
+
+std::string measure_unit(Measure measure, std::string_view units) {
+    if (is_length(measure)) return std::string(units);
+    if (measure == Measure::machining_time) return "s";
+    return measure == Measure::peak_load ? std::string(units) + "^3/min" : "";
 }
 
 const std::vector<Measure>& all_measures() {

@@ -1,5 +1,18 @@
 // What a candidate of a study is weighed by. Values stand as files have them: lengths in the project's units,
 // times in seconds, shares from 0 to 1. Less is better of every one.
+//
+// Loads and wear compare candidates of one study: one part, one material. What a spindle or an edge stands,
+// nothing here knows.
+//
+// peak_load: the largest volume cut in a time, of stretches of the path as long as the cutter is wide
+// (core/verify/cutting_load.h). The power that cutting takes is that times the specific cutting force of the
+// material (Kienzle 1952).
+//
+// wear: of the tool of which it is the most, the volume that it cuts over z d^2: z its edges (two where it
+// does not say), d the largest diameter of its cutting part. What rubs off a surface is as the force times
+// the way (Archard 1953), which for an edge is the energy of cutting, and that as the volume; it is shared by
+// the edges, and by as much of them as the cutter is wide. This is no tool life: cutting speed, which decides
+// it (Taylor 1907), feed, material, coating and coolant are no part of it.
 #pragma once
 
 #include <array>
@@ -32,8 +45,10 @@ enum class Measure {
     excess_p99,
     excess_p95,
     uncut_share,
+    peak_load, ///< cubed units a minute
+    wear,      ///< as a length
 };
-inline constexpr std::size_t measure_count = 10;
+inline constexpr std::size_t measure_count = 12;
 
 std::string_view measure_name(Measure measure);
 /// Throws Error(unknown_key) whose place is `place`.
@@ -42,6 +57,8 @@ Measure measure_named(std::string_view name, const std::string& place);
 Rung known_from(Measure measure);
 /// Is it a length, in the project's units?
 bool is_length(Measure measure);
+/// "s", "in", "mm^3/min"; empty for numbers and shares. `units`: of the project.
+std::string measure_unit(Measure measure, std::string_view units);
 
 class Measures {
 public:

@@ -167,12 +167,9 @@ std::string study_markdown(const StudyFolder& folder, const StudyOutcome& outcom
         text += " " + markdown_cell(v.name) + " |";
         line += "---|";
     }
-    const std::string unit = " (" + std::string(unit_name(folder.project().unit)) + ")";
     for (const Measure m : all_measures()) {
-        text += " " + markdown_cell(std::string(measure_name(m)))
-                + (is_length(m)                   ? unit
-                   : m == Measure::machining_time ? " (s)"
-                                                  : "")
+        const std::string unit = measure_unit(m, unit_name(folder.project().unit));
+        text += " " + markdown_cell(std::string(measure_name(m))) + (unit.empty() ? "" : " (" + unit + ")")
                 + " |";
         line += "---|";
     }

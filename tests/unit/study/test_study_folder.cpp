@@ -94,6 +94,22 @@ private slots:
         QCOMPARE(*fine.measures[Measure::machining_time], time);
         QCOMPARE(*fine.measures[Measure::excess_max], judged.result->figures.excess_max);
         QCOMPARE(*fine.measures[Measure::tool_changes], 2.0);
+        const auto& loads = judged.result->program_loads;
+        QCOMPARE(loads.size(), std::size_t(2));
+        QVERIFY(loads[0].peak_rate > 0 && loads[1].peak_rate > 0 && loads[0].volume > loads[1].volume);
+        QCOMPARE(*fine.measures[Measure::peak_load], std::max(loads[0].peak_rate, loads[1].peak_rate));
+        // Each tool has two edges where it does not say.
+        double wear = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double wide = 2 * judged.programs.programs[i].tool.cutter.max_radius();
+            wear = std::max(wear, loads[i].volume / (2 * wide * wide));
+        }
+        QCOMPARE(*fine.measures[Measure::wear], wear);
+        Project four = job.project;
+        for (Tool& tool : four.tools)
+            tool.flutes = 4;
+        QCOMPARE(*evaluate(four, job.project, Rung::coarse, {}).measures[Measure::wear],
+                 *evaluate(job.project, job.project, Rung::coarse, {}).measures[Measure::wear] / 2);
         QVERIFY(!evaluate(job.project, job.project, Rung::estimate, {}).measures[Measure::excess_max]);
         // A path with a larger tolerance is held against that of the project as it stands.
         Project loose = job.project;
