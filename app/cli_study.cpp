@@ -2,6 +2,7 @@
 #include "app/cli_commands.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
+#include "core/base/child_process.h"
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/study/local_workers.h"
@@ -46,6 +47,15 @@ StudyWorkers study_workers(const StudyFolder& folder, const Arguments& arguments
     return own_workers(folder, fs::read_symlink("/proc/self/exe"), count, threads);
 }
 
+std::vector<std::string> ssh_words(const std::string& host, const std::string& command) {
+    return {"-o", "BatchMode=yes", "-o", "ConnectTimeout=20", host, command};
+}
+
+bool answers(const fs::path& ssh, const std::string& host) {
+    const MemoryFile nothing("facetmill-study");
+    return ChildProcess(ssh, ssh_words(host, "true"), nothing, nothing).wait() == 0;
+}
+
 /// Workers on another machine that sees the folder under the same name, each begun by ssh.
 StudyWorkers remote_workers(const StudyFolder& folder, const Arguments& arguments, const std::string& host) {
     if (host.empty() || host[0] == '-')
@@ -61,17 +71,19 @@ StudyWorkers remote_workers(const StudyFolder& folder, const Arguments& argument
         std::string command = "exec " + shell_word(program);
         for (const std::string& word : local(w))
             command += " " + shell_word(word);
-        return std::vector<std::string>{"-o", "BatchMode=yes", "-o", "ConnectTimeout=20", host, command};
+        return ssh_words(host, command);
     };
-    workers.judge_status = [=](int status) {
+    workers.judge_status = [=, ssh = workers.program](int status) {
         constexpr int no_connection = 255, no_program = 127, no_right = 126;
         const std::string where = "ssh:" + printable(host, 200);
+        if (status == no_connection && answers(ssh, host)) return true; // its status where a signal ended it
         if (status == no_connection)
             throw Error(ErrorCode::not_found, where, "the host cannot be reached without a password",
                         "see what ssh says to it");
         if (status == no_program || status == no_right)
             throw Error(ErrorCode::not_found, where, "there is no program " + printable(program, 200),
                         "install the same one there, or name it: --remote-program");
+        return false;
     };
     return workers;
 }

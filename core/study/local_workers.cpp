@@ -98,9 +98,10 @@ private:
             if (error->code() != ErrorCode::internal) throw Error(*error);
             return lose(ended.asked, error->what());
         }
-        if (workers_.judge_status) workers_.judge_status(status);
-        int& times = ended_from_without(status) ? ended.asked.ended : ended.asked.crashed;
-        const int most = ended_from_without(status) ? max_ended : max_crashed;
+        const bool from_without =
+            ended_from_without(status) || (workers_.judge_status && workers_.judge_status(status));
+        int& times = from_without ? ended.asked.ended : ended.asked.crashed;
+        const int most = from_without ? max_ended : max_crashed;
         if (++times < most) return waiting_.push_back(std::move(ended.asked));
         lose(ended.asked, status < 0 ? "its worker was ended by signal " + std::to_string(-status)
                                      : "its worker ended with status " + std::to_string(status));

@@ -18,9 +18,9 @@ struct StudyWorkers {
     std::filesystem::path program;
     /// The words after the program's name for a look at a candidate.
     std::function<std::vector<std::string>(const StudyWork&)> arguments;
-    /// Throws where a worker that ended with this status and said nothing tells something of them all; may be
-    /// empty.
-    std::function<void(int status)> judge_status = nullptr;
+    /// True where a worker that ended with this status and said nothing was ended from without; throws where
+    /// that tells something of them all; may be empty.
+    std::function<bool(int status)> judge_status = nullptr;
     /// Told of each look that is over, also where it was lost; may be empty.
     std::function<void(const StudyWork&)> ended = nullptr;
 };

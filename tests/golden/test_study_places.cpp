@@ -126,6 +126,22 @@ private slots:
             QVERIFY2(other.code() == "not_found" && other.err.contains("/nowhere/facetmill-cli"),
                      other.err.constData());
         }
+        {
+            // A worker that a signal ended there has the same status as no connection: it is asked again.
+            const Played ssh(job_, "ssh", R"(#!/bin/sh
+[ "$6" = true ] && exit 0
+[ -e ended-3 ] && exec sh -c "$6"
+[ -e ended-2 ] && touch ended-3
+[ -e ended-1 ] && touch ended-2
+touch ended-1
+exit 255
+)");
+            const CliRun ended =
+                run_cli({"study", "run", "study.json", "-o", "ended", "--on", "ssh:host"}, job_.path());
+            QVERIFY2(ended.status == 0, ended.err.constData());
+            QVERIFY(job_.files().contains("ended-3"));
+            QCOMPARE(bytes_of(job_.path() + "/ended/study.json"), whole_);
+        }
         const Played ssh(job_, "ssh", "#!/bin/sh\nexit 255\n");
         const CliRun away =
             run_cli({"study", "run", "study.json", "-o", "away", "--on", "ssh:host"}, job_.path());
@@ -134,6 +150,22 @@ private slots:
             run_cli({"study", "run", "study.json", "-o", "away", "--on", "ssh:-oProxyCommand=x"}, job_.path())
                 .status,
             2);
+    }
+
+    /// The same file with a byte more is another program: what it would find is not taken.
+    void a_node_with_another_version_is_refused() {
+        const Played ssh(job_, "ssh", "#!/bin/sh\nexec sh -c \"$6\"\n");
+        job_.write("other-cli", bytes_of(FACETMILL_CLI) + "\n");
+        const QString other = job_.path() + "/other-cli";
+        QFile::setPermissions(other, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        const CliRun run = run_cli(
+            {"study", "run", "study.json", "-o", "mixed", "--on", "ssh:host", "--remote-program", other},
+            job_.path());
+        QCOMPARE(run.code(), QByteArray("newer_version"));
+        QVERIFY2(run.err.contains("another program works on this study"), run.err.constData());
+        QVERIFY(!job_.files("mixed").contains("study.json"));
+        for (const QString& key : job_.files("mixed/candidates"))
+            QCOMPARE(job_.files("mixed/candidates/" + key), QStringList("project.facetmill"));
     }
 };
 
