@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QJsonArray>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -115,6 +116,43 @@ private slots:
         QVERIFY(QDir().mkpath(there + "/estimate.json") && QDir().mkpath(there + "/fine.json"));
         first = run_cli({"study", "resume", "full"}, s.path());
         QCOMPARE(first.code(), QByteArray("unwritable"));
+    }
+
+    /// A file system with so little room that the study does not fit: it ends and says so, and goes on from
+    /// what was found as soon as there is room.
+    void a_full_disk_is_told_and_nothing_is_lost() {
+        Sandbox s;
+        fill_with_study(s);
+        QVERIFY(QDir(s.path()).mkpath("roomy"));
+        QCOMPARE(run_cli({"study", "run", "study.json", "-o", "roomy/s"}, s.path()).status, 0);
+        const QByteArray whole =
+            bytes_of(s.path() + "/roomy/s/study.json"); // as deep as the other: files are named from there
+        QDir(s.path()).mkpath("small");
+        constexpr int no_mount = 77;
+        const char* const script = R"(mount -t tmpfs -o size=$2k tmpfs small || exit 77
+"$1" study run study.json -o small/s 2>said; status=$?
+ls small/s/candidates 2>/dev/null | wc -l >begun
+mount -o remount,size=64m small || exit 77
+"$1" study run study.json -o small/s || exit 78
+cp small/s/study.json last.json; exit $status
+)";
+        bool stopped_halfway = false;
+        for (const int kib : {8, 24, 56, 88}) {
+            QFile::remove(s.path() + "/last.json");
+            QProcess run;
+            run.setWorkingDirectory(s.path());
+            run.start("unshare", {"-m", "sh", "-c", script, "sh", FACETMILL_CLI, QString::number(kib)});
+            QVERIFY(run.waitForFinished(60'000));
+            if (run.error() == QProcess::FailedToStart || run.exitCode() == no_mount
+                || run.readAllStandardError().contains("unshare failed"))
+                QSKIP("there is no right to mount a file system: not root, or in a container without it");
+            const QByteArray said = bytes_of(s.path() + "/said");
+            QCOMPARE(run.exitCode(), 1);
+            QVERIFY2(said.contains("error [unwritable]") && said.contains("No space left"), said.constData());
+            QCOMPARE(bytes_of(s.path() + "/last.json"), whole);
+            stopped_halfway = stopped_halfway || bytes_of(s.path() + "/begun").trimmed().toInt() > 2;
+        }
+        QVERIFY(stopped_halfway);
     }
 };
 
