@@ -11,7 +11,7 @@ namespace facetmill::detail {
 
 namespace {
 
-constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8, largest_gltf_text = std::size_t(60) << 20;
+constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8, max_gltf_text = std::size_t(60) << 20;
 constexpr std::uint32_t json_chunk = 0x4E4F534A, bin_chunk = 0x004E4942;
 constexpr unsigned byte_type = 5120, ubyte_type = 5121, short_type = 5122, ushort_type = 5123,
                    uint_type = 5125, float_type = 5126;
@@ -108,7 +108,7 @@ GltfFile::GltfFile(const MeshSource& source) : source_(source), binary_(is_glb(s
     if (binary_) {
         read_binary();
         text = source.bytes.substr(header_bytes + chunk_header_bytes, word_at(source.bytes, header_bytes));
-    } else if (text.size() > largest_gltf_text) {
+    } else if (text.size() > max_gltf_text) {
         fail(ErrorCode::limit_exceeded, "", "the text has more than 60 MB",
              "save it in binary form, as .glb");
     }

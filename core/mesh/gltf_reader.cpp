@@ -19,8 +19,8 @@ namespace facetmill::detail {
 namespace {
 
 /// Small files can name a node, or a mesh, many times: what comes of that is bounded.
-constexpr std::uint64_t most_gltf_facets = 50'000'000, most_gltf_nodes = 200'000;
-constexpr int deepest_node = 64;
+constexpr std::uint64_t max_gltf_facets = 50'000'000, max_gltf_nodes = 200'000;
+constexpr int max_node_depth = 64;
 constexpr unsigned triangles = 4, triangle_strip = 5, triangle_fan = 6;
 
 class GltfScene {
@@ -137,7 +137,7 @@ private:
 
     void add_node(std::size_t number, const Eigen::Affine3d& outer, bool taken, int depth) {
         progress_.check();
-        if (depth > deepest_node || ++nodes_ > most_gltf_nodes)
+        if (depth > max_node_depth || ++nodes_ > max_gltf_nodes)
             file_.fail(ErrorCode::limit_exceeded, "nodes", "nodes hold each other too deeply, or themselves");
         const Json& node = file_.element("nodes", number);
         const std::string place = "nodes[" + std::to_string(number) + "]";
@@ -200,8 +200,8 @@ private:
 
     void add_primitive(const std::vector<Vec3>& points, const std::vector<Index>& corners, unsigned mode,
                        const Eigen::Affine3d& placed, const std::string& place) {
-        if (soup_.points.size() + points.size() > 3 * most_gltf_facets
-            || soup_.facets.size() + corners.size() > most_gltf_facets)
+        if (soup_.points.size() + points.size() > 3 * max_gltf_facets
+            || soup_.facets.size() + corners.size() > max_gltf_facets)
             file_.fail(ErrorCode::limit_exceeded, place,
                        "its objects, put together, have more than 50 million facets",
                        "choose some of its objects");
