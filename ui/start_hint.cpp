@@ -163,6 +163,7 @@ void StartHint::place() {
                                    min_in_a_row, max_in_a_row);
     lay_out(*recent_, columns, 0);
     lay_out(*samples_, columns, room.height() - room_height);
+    more_->updateGeometry(); // what follows asks how large it is now
     adjustSize();
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
 }
