@@ -46,7 +46,7 @@ std::vector<fs::path> kept_files(const fs::path& folder) {
     return files;
 }
 
-fs::path folder_of(const fs::path& project) {
+fs::path cache_folder_of(const fs::path& project) {
     return project.parent_path() / (project.stem().string() + ".facetmill-cache");
 }
 
@@ -76,7 +76,7 @@ void mark_folder(const fs::path& folder) {
 } // namespace
 
 KeptFolder::KeptFolder(const fs::path& project, const HashKey& key, std::string program)
-    : path_(folder_of(project)), key_(key), program_(std::move(program)) {}
+    : path_(cache_folder_of(project)), key_(key), program_(std::move(program)) {}
 
 std::string KeptFolder::name_of(std::string_view kind, std::string_view source) const {
     const auto part = [](std::string_view text) {
@@ -156,7 +156,7 @@ std::uint64_t KeptFolder::size() const {
 }
 
 void copy_kept(const fs::path& from_project, const fs::path& to_project, const Progress& progress) {
-    const fs::path from = folder_of(from_project), to = folder_of(to_project);
+    const fs::path from = cache_folder_of(from_project), to = cache_folder_of(to_project);
     std::error_code ec;
     if (from == to || fs::equivalent(from, to, ec)) return;
     std::vector<fs::path> files = kept_files(from);
