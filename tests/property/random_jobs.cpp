@@ -171,7 +171,8 @@ constexpr std::uint64_t first_with_later_kinds = 3000;
 const std::vector<OperationKind>& kinds_for(std::uint64_t seed) {
     static const auto first = [] {
         std::vector<OperationKind> kinds = operation_kinds();
-        std::erase_if(kinds, [](const OperationKind& k) { return k.kind == "waterline" || k.kind == "steep_shallow"; });
+        std::erase_if(
+            kinds, [](const OperationKind& k) { return k.kind == "waterline" || k.kind == "steep_shallow"; });
         return kinds;
     }();
     return seed < first_with_later_kinds ? first : operation_kinds();
