@@ -28,12 +28,18 @@ QString measure_label(Measure measure) {
         return QObject::tr("Excess of 95 %");
     case Measure::uncut_share:
         return QObject::tr("Uncut");
+    case Measure::peak_load:
+        return QObject::tr("Peak load");
+    case Measure::wear:
+        return QObject::tr("Wear");
     default:
         return text(measure_name(measure)).replace(QChar('_'), QChar(' '));
     }
 }
 
 QString measure_head(Measure measure, LengthUnit unit) {
+    if (measure == Measure::peak_load)
+        return QStringLiteral("%1 (%2³/min)").arg(measure_label(measure), text(unit_name(unit)));
     if (!is_length(measure)) return measure_label(measure);
     return QStringLiteral("%1 (%2)").arg(measure_label(measure), text(unit_name(unit)));
 }

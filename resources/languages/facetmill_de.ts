@@ -13265,6 +13265,10 @@ auf, %1</translation>
         <translation>Perspe&amp;ktive</translation>
     </message>
     <message>
+        <source>Peak load</source>
+        <translation>Lastspitze</translation>
+    </message>
+    <message>
         <source>Pick %1</source>
         <translation>%1 wählen</translation>
     </message>
@@ -14996,6 +15000,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Way of the tool tip (%1)</source>
         <translation>Weg der Werkzeugspitze (%1)</translation>
+    </message>
+    <message>
+        <source>Wear</source>
+        <translation>Verschleiß</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>

@@ -13263,6 +13263,10 @@
         <translation>Perspecti&amp;ve</translation>
     </message>
     <message>
+        <source>Peak load</source>
+        <translation>Pointe de charge</translation>
+    </message>
+    <message>
         <source>Pick %1</source>
         <translation>Choisir %1</translation>
     </message>
@@ -14994,6 +14998,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Way of the tool tip (%1)</source>
         <translation>Trajet de la pointe (%1)</translation>
+    </message>
+    <message>
+        <source>Wear</source>
+        <translation>Usure</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
