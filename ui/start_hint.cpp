@@ -51,6 +51,7 @@ StartHint::StartHint(QMenu* samples, QWidget* parent) : QFrame(parent) {
     title_->setAlignment(Qt::AlignCenter);
     text_ = new QLabel(tr("%1, or a Facetmill project").arg(text(mesh_format_names())), this);
     text_->setAlignment(Qt::AlignCenter);
+    text_->setWordWrap(true);
     text_->setForegroundRole(QPalette::PlaceholderText);
     auto* open = new QPushButton(icon(Icon::open), tr("Open…"), this);
     open->setObjectName(QStringLiteral("hint_open"));
