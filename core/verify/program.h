@@ -67,7 +67,8 @@ struct VerifyProgram {
     /// What its operation may leave on the part, mm: one that roughs would not finish where its tool fits.
     /// Only a reason why surface stays uncut is made of it.
     double leaves = 0;
-    /// Of each motion, mm/min; empty: all at `feed`, of which 0 says that it is not known. For loads alone.
+    /// The feed of each motion, mm/min; empty: all at `feed`, of which 0 says that it is not known. For loads
+    /// alone.
     std::vector<double> feeds = {};
     double feed = 0;
     double feed_of(std::size_t motion) const { return feeds.empty() ? feed : feeds[motion]; }
