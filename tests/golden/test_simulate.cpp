@@ -98,7 +98,7 @@ private slots:
         for (const char* said :
              {"Verified: no gouge, no collision.", "&lt;b&gt;Ball &amp; co", "Top &quot;A&quot; &lt;i&gt;",
               "01-Top-A-i.apt", "42 × 32 × 12 mm", "Deepest gouge", "part.stl", "\u00d8 30 \u00d7 20",
-              "1 program ·", "01-Top-A-i.ngc", "three axes", "G55: zero", "T1 50 mm"})
+              "1 program ·", "01-Top-A-i.ngc", "three axes", "G55, its zero in", "T1 50 mm"})
             QVERIFY2(sheet.contains(said), said);
         QVERIFY(!sheet.contains("<b>Ball") && !sheet.contains("do not run"));
         // Complete in itself.

@@ -39,12 +39,14 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
 
 /// Those that cut the part to their tolerance, whatever stands. What takes a stock down by layers states what
 /// it leaves, and is judged by that in test_rough_shapes; what cuts only what another tool left, in
-/// test_cleanup; what leaves shallow surface to others, in test_waterline.
+/// test_cleanup; what leaves shallow surface to others, in test_waterline; and what goes along walls by
+/// levels as well, in test_steep_shallow: there a chord beside the rim of a wall is as deep by the normal of
+/// the floor above as the wall is high.
 std::vector<std::string> three_axis_kinds() {
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (const auto op = k.make();
-            op->linking() == Linking::upright && op->further_tools().empty() && k.kind != "waterline")
+        if (const auto op = k.make(); op->linking() == Linking::upright && op->further_tools().empty()
+                                      && k.kind != "waterline" && k.kind != "steep_shallow")
             kinds.push_back(k.kind);
     return kinds;
 }
