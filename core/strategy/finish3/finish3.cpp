@@ -390,18 +390,11 @@ PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& c
 
 const ParameterTable<Finish3Settings>& finish3_parameters() {
     static const auto table = [] {
-        using K = ParameterKind;
         using S = Finish3Settings;
         ParameterTable<S> t;
         add_common_parameters(t);
         add_tool_axis_parameter(t);
-        t.add(&S::stepover,
-              length_or_word_parameter({.key = "stepover",
-                                        .label = "Step-over",
-                                        .help = "Distance between neighbouring drive planes: adaptive is "
-                                                "everywhere the largest that the tolerance allows; a length "
-                                                "is kept whatever cusps it leaves.",
-                                        .words = {"adaptive"}}));
+        t.add(&S::stepover, stepover_parameter());
         t.add_choice(&S::topology, {.key = "topology",
                                     .label = "Topology",
                                     .help = "Course of the passes: parallel drive planes.",
@@ -414,11 +407,7 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
-        t.add(&S::rest_only, {.key = "rest_only",
-                              .label = "Rest only",
-                              .help = "Cuts only where more than the tolerance stands of the stock, as raw "
-                                      "material and the operations before left it.",
-                              .kind = K::boolean});
+        t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
     return table;

@@ -42,6 +42,41 @@ ParameterInfo normal_limit_parameter(const std::string& more) {
             .advanced = true};
 }
 
+ParameterInfo stepdown_parameter() {
+    return length_or_word_parameter({.key = "stepdown",
+                                     .label = "Step-down",
+                                     .help = "Height between neighbouring levels: adaptive is everywhere "
+                                             "the largest that the tolerance allows; a length is kept "
+                                             "whatever cusps it leaves.",
+                                     .words = {"adaptive"}});
+}
+
+ParameterInfo max_stepdown_parameter() {
+    return length_or_word_parameter({.key = "max_stepdown",
+                                     .label = "Largest step-down",
+                                     .help = "The adaptive step-down is no larger than this. auto is the "
+                                             "cutter's diameter.",
+                                     .words = {"auto"},
+                                     .advanced = true});
+}
+
+ParameterInfo stepover_parameter() {
+    return length_or_word_parameter({.key = "stepover",
+                                     .label = "Step-over",
+                                     .help = "Distance between neighbouring drive planes: adaptive is "
+                                             "everywhere the largest that the tolerance allows; a length "
+                                             "is kept whatever cusps it leaves.",
+                                     .words = {"adaptive"}});
+}
+
+ParameterInfo rest_only_parameter() {
+    return {.key = "rest_only",
+            .label = "Rest only",
+            .help = "Cuts only where more than the tolerance stands of the stock, as raw "
+                    "material and the operations before left it.",
+            .kind = ParameterKind::boolean};
+}
+
 ParameterInfo length_or_word_parameter(ParameterInfo info, double largest) {
     info.kind = ParameterKind::number_or_word;
     info.quantity = Quantity::length;

@@ -15,6 +15,12 @@ ParameterInfo holder_clearance_parameter();
 ParameterInfo pattern_parameter(const std::string& help);
 /// How far the normal turns between points of a pass; `more` ends the sentence of the help.
 ParameterInfo normal_limit_parameter(const std::string& more = {});
+/// Between levels of constant height, and the most that it adapts to; between drive planes.
+ParameterInfo stepdown_parameter();
+ParameterInfo max_stepdown_parameter();
+ParameterInfo stepover_parameter();
+/// Whether only what other operations left is cut.
+ParameterInfo rest_only_parameter();
 
 // These complete a description that has key, label and help, and what else is its own.
 

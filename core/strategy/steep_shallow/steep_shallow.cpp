@@ -238,27 +238,9 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
                             .quantity = Quantity::angle,
                             .minimum = 0,
                             .maximum = 0.25 * pi});
-        t.add(&S::stepdown,
-              length_or_word_parameter({.key = "stepdown",
-                                        .label = "Step-down",
-                                        .help = "Height between neighbouring levels: adaptive is everywhere "
-                                                "the largest that the tolerance allows; a length is kept "
-                                                "whatever cusps it leaves.",
-                                        .words = {"adaptive"}}));
-        t.add(&S::stepover,
-              length_or_word_parameter({.key = "stepover",
-                                        .label = "Step-over",
-                                        .help = "Distance between neighbouring drive planes: adaptive is "
-                                                "everywhere the largest that the tolerance allows; a length "
-                                                "is kept whatever cusps it leaves.",
-                                        .words = {"adaptive"}}));
-        t.add(&S::max_stepdown,
-              length_or_word_parameter({.key = "max_stepdown",
-                                        .label = "Largest step-down",
-                                        .help = "The adaptive step-down is no larger than this. auto is the "
-                                                "cutter's diameter.",
-                                        .words = {"auto"},
-                                        .advanced = true}));
+        t.add(&S::stepdown, stepdown_parameter());
+        t.add(&S::stepover, stepover_parameter());
+        t.add(&S::max_stepdown, max_stepdown_parameter());
         t.add_choice(&S::pattern,
                      pattern_parameter("zigzag cuts to and fro, and open levels whichever way is nearer; "
                                        "oneway always in the same direction, levels with the part on the "
@@ -268,11 +250,7 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
-        t.add(&S::rest_only, {.key = "rest_only",
-                              .label = "Rest only",
-                              .help = "Cuts only where more than the tolerance stands of the stock, as raw "
-                                      "material and the operations before left it.",
-                              .kind = K::boolean});
+        t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
     return table;

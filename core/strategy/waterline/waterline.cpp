@@ -301,20 +301,8 @@ const ParameterTable<WaterlineSettings>& waterline_parameters() {
         ParameterTable<S> t;
         add_common_parameters(t);
         add_tool_axis_parameter(t);
-        t.add(&S::stepdown,
-              length_or_word_parameter({.key = "stepdown",
-                                        .label = "Step-down",
-                                        .help = "Height between neighbouring levels: adaptive is everywhere "
-                                                "the largest that the tolerance allows; a length is kept "
-                                                "whatever cusps it leaves.",
-                                        .words = {"adaptive"}}));
-        t.add(&S::max_stepdown,
-              length_or_word_parameter({.key = "max_stepdown",
-                                        .label = "Largest step-down",
-                                        .help = "The adaptive step-down is no larger than this. auto is the "
-                                                "cutter's diameter.",
-                                        .words = {"auto"},
-                                        .advanced = true}));
+        t.add(&S::stepdown, stepdown_parameter());
+        t.add(&S::max_stepdown, max_stepdown_parameter());
         t.add(&S::slope_limits, {.key = "slope_limits",
                                  .label = "Slope limits",
                                  .help = "Slopes that are cut, from level: 0 is a floor, 90 degrees a wall. "
@@ -331,11 +319,7 @@ const ParameterTable<WaterlineSettings>& waterline_parameters() {
               chord_tolerance_parameter(
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
-        t.add(&S::rest_only, {.key = "rest_only",
-                              .label = "Rest only",
-                              .help = "Cuts only where more than the tolerance stands of the stock, as raw "
-                                      "material and the operations before left it.",
-                              .kind = K::boolean});
+        t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
     return table;
