@@ -1,13 +1,11 @@
 #include "core/strategy/steep_shallow/steep_shallow.h"
 
-#include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish_warnings.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/surface/slope_facets.h"
-#include "core/strategy/surface/up_side.h"
 #include "core/strategy/waterline/level_sweep.h"
 
 #include <cmath>
@@ -160,21 +158,14 @@ private:
         const CutterCover cover(profile, cusp_detail(cusp_allowed_));
         const double allowance = settings_.allowance + context_.tessellation_tolerance[1];
         const AxialLift lift(context_.contact, profile, allowance);
-        const LevelSweep swept(result.passes, profile, progress.part(0.02, 0.15)),
-            left_out(held_.left, profile, progress.part(0.15, 0.2));
         UncutInput input;
         input.mesh = up.mesh.get();
-        input.contact = context_.contact;
         input.lift = &lift;
         input.cover = &cover;
         input.allowance = allowance;
-        input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
-        input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
-        input.swept = &swept;
-        if (!held_.left.empty()) input.swept_left_out = &left_out;
-        input.outside_up = context_.is_piece || UpSide(*context_.part, progress.part(0.2, 0.2)).closed();
         if (steep_) input.lowest_tip = steep_->lowest_tip;
-        uncut_ = find_uncut(input, progress.part(0.2, 1));
+        uncut_ = uncut_by_levels(input, context_, {result.passes, held_.left}, profile, cusp_allowed_,
+                                 progress.part(0.02, 1));
     }
 
     void add_warnings(StrategyResult& result) const {

@@ -1,5 +1,8 @@
 #include "core/strategy/waterline/level_sweep.h"
 
+#include "core/base/tolerances.h"
+#include "core/strategy/surface/up_side.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -89,6 +92,19 @@ double LevelSweep::lowest(const Vec3& q, const Vec3& hint, double enough) const 
             }
         }
     return best;
+}
+
+UncutReport uncut_by_levels(UncutInput input, const PlanContext& context, const SweptCourses& courses,
+                            const CutterProfile& profile, double cusp_allowed, const Progress& progress) {
+    const LevelSweep swept(courses.passes, profile, progress.part(0, 0.15)),
+        left_out(courses.left_out, profile, progress.part(0.15, 0.2));
+    input.contact = context.contact;
+    input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed;
+    input.top = std::max(context.stock_box.hi.z(), context.part_box.hi.z());
+    input.swept = &swept;
+    if (!courses.left_out.empty()) input.swept_left_out = &left_out;
+    input.outside_up = context.is_piece || UpSide(*context.part, progress.part(0.2, 0.2)).closed();
+    return find_uncut(input, progress.part(0.2, 1));
 }
 
 } // namespace facetmill

@@ -4,9 +4,11 @@
 
 #include "core/base/progress.h"
 #include "core/strategy/finish3/uncut.h"
+#include "core/strategy/plan/operation.h"
 #include "core/strategy/surface/point_grid.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -33,5 +35,14 @@ private:
     PointGrid middles_;
     std::map<std::pair<long, long>, std::vector<std::uint32_t>> tiles_; ///< lowest pieces first
 };
+
+/// Passes of any course, and those left out for shank and holder.
+struct SweptCourses {
+    std::span<const Pass> passes, left_out;
+};
+/// What they leave by more than the cusp that is allowed. `input` has the facets, the cutter and its lift,
+/// the allowance and the lowest tip; the rest is put in here.
+UncutReport uncut_by_levels(UncutInput input, const PlanContext& context, const SweptCourses& courses,
+                            const CutterProfile& profile, double cusp_allowed, const Progress& progress);
 
 } // namespace facetmill

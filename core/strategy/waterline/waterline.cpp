@@ -10,7 +10,6 @@
 #include "core/strategy/plan/shared_parameters.h"
 #include "core/strategy/plan/stock_bottom.h"
 #include "core/strategy/surface/slope_facets.h"
-#include "core/strategy/surface/up_side.h"
 #include "core/strategy/waterline/contour_passes.h"
 #include "core/strategy/waterline/level_order.h"
 #include "core/strategy/waterline/level_sweep.h"
@@ -221,22 +220,14 @@ void WaterlinePlanner::keep_links_within() {
 void WaterlinePlanner::check_uncut(const Progress& progress) {
     steep_ = piece_between(context_, slopes_, progress.part(0, 0.05));
     if (!steep_.mesh) return;
-    const HeldOut& held = filter_.held();
-    const LevelSweep swept(result_.passes, profile_, progress.part(0.05, 0.2)),
-        left_out(held.left, profile_, progress.part(0.2, 0.25));
     UncutInput input;
     input.mesh = steep_.mesh.get();
-    input.contact = context_.contact;
     input.lift = &lift_;
     input.cover = &cover_;
     input.allowance = allowance_;
-    input.allowed = (1 + tolerance::uncut_margin) * cusp_allowed_;
-    input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
-    input.swept = &swept;
-    if (!held.left.empty()) input.swept_left_out = &left_out;
-    input.outside_up = context_.is_piece || UpSide(*context_.part, progress.part(0.05, 0.05)).closed();
     input.lowest_tip = lowest_;
-    uncut_ = find_uncut(input, progress.part(0.25, 1));
+    uncut_ = uncut_by_levels(input, context_, {result_.passes, filter_.held().left}, profile_, cusp_allowed_,
+                             progress.part(0.05, 1));
 }
 
 void WaterlinePlanner::add_warnings() {
