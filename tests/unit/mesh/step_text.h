@@ -1,15 +1,12 @@
 // The text of STEP files, to be put together in other ways.
 #pragma once
 
+#include "tests/unit/mesh/mesh_io_support.h"
+
 #include <string>
 #include <vector>
 
 namespace facetmill::test {
-
-inline void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
 
 /// The entities of the data section, each with its semicolon, in one line.
 inline std::vector<std::string> entities_of(const std::string& step) {
@@ -18,9 +15,7 @@ inline std::vector<std::string> entities_of(const std::string& step) {
     for (std::size_t at = begin; at < end;) {
         const std::size_t semicolon = step.find(';', at);
         if (semicolon >= end) break;
-        std::string one = step.substr(at, semicolon + 1 - at);
-        replace_all(one, "\n", "");
-        all.push_back(one);
+        all.push_back(replaced_all(step.substr(at, semicolon + 1 - at), "\n", ""));
         at = semicolon + 1;
     }
     return all;

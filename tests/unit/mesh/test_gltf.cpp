@@ -12,12 +12,6 @@ using namespace facetmill::test;
 
 namespace {
 
-std::string replaced_once(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("there is no " + from);
-    return text.replace(at, from.size(), to);
-}
-
 void add_row(const char* tag, const std::string& bytes, const char* name, const char* expected = "") {
     QTest::newRow(tag) << QByteArray(bytes.data(), qsizetype(bytes.size())) << name << expected;
 }
@@ -80,7 +74,7 @@ private slots:
         row("a later version", maker);
         maker = {};
         maker.scenes = "[]";
-        add_row("no scene", replaced_once(maker.text(), R"("scene":0,)", ""), "a.gltf");
+        add_row("no scene", replaced(maker.text(), R"("scene":0,)", ""), "a.gltf");
         maker.nodes = R"([{"mesh":0,"translation":[1,1,1]},{"children":[0],"translation":[-1,-1,-1]}])";
         row("nodes under others, no scene", maker);
         maker = {};
@@ -151,7 +145,7 @@ private slots:
         };
         // The scene that is shown holds one alone; Y up became Z up.
         QVERIFY(std::abs(box_of("", maker.glb()).lo.z() - 5000) < 1e-3);
-        const std::string other = replaced_once(maker.text(), R"("scene":0)", R"("scene":1)");
+        const std::string other = replaced(maker.text(), R"("scene":0)", R"("scene":1)");
         QVERIFY(std::abs(box_of("Lid", other).lo.x() - 1000) < 1e-3);
         QVERIFY(std::abs(box_of("0", other).hi.x() - 2) < 1e-3);
         QVERIFY(std::abs(box_of("Both", other).hi.z() - 5004) < 1e-3);
@@ -176,7 +170,7 @@ private slots:
         const std::string text = plain.text(), glb = plain.glb();
         const auto changed = [&](const char* tag, const std::string& from, const std::string& to,
                                  const char* expected) {
-            add_row(tag, replaced_once(text, from, to), "a.gltf", expected);
+            add_row(tag, replaced(text, from, to), "a.gltf", expected);
         };
         add_row("nothing", "", "a.glb", "empty_file");
         add_row("no glTF", "what", "a.gltf", "syntax");
@@ -186,9 +180,9 @@ private slots:
         add_row("cut in its text", glb.substr(0, 300), "a.glb", "truncated");
         add_row("cut in its data", glb.substr(0, glb.size() - 5), "a.glb", "truncated");
         add_row("a text that is cut", text.substr(0, text.size() / 2), "a.gltf", "truncated,syntax");
-        add_row("binary of version 1", replaced_once(glb, std::string("glTF\2", 5), std::string("glTF\1", 5)),
+        add_row("binary of version 1", replaced(glb, std::string("glTF\2", 5), std::string("glTF\1", 5)),
                 "a.glb", "unsupported_format");
-        add_row("data first", replaced_once(glb, "JSON", "BIN "), "a.glb", "syntax");
+        add_row("data first", replaced(glb, "JSON", "BIN "), "a.glb", "syntax");
         changed("version 1", "2.0", "1.0", "unsupported_format");
         changed("no version", "\"version\":\"2.0\"", "", "unsupported_format");
         changed("no asset", "\"asset\"", "\"assets\"", "syntax");

@@ -1,9 +1,9 @@
 // The corpus of odd and broken STEP and IGES files: texts made from a sound one.
 #include "core/mesh/mesh_io.h"
-#include "tests/support/step_text.h"
 #include "tests/support/surface_files.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/mesh/mesh_io_support.h"
+#include "tests/unit/mesh/step_text.h"
 
 #include <QTest>
 
@@ -59,13 +59,13 @@ private slots:
         row("inches", step_box(10, 20, 30, "INCH"));
         row("metres", step_box(10, 20, 30, "M"));
         std::string text = box;
-        replace_all(text, "\n", "\r\n");
+        text = replaced_all(text, "\n", "\r\n");
         row("lines end as in DOS", text);
         text = box;
-        replace_all(text, "\n", "\n\n");
+        text = replaced_all(text, "\n", "\n\n");
         row("empty lines", text);
         text = box;
-        replace_all(text, "=", " =\t");
+        text = replaced_all(text, "=", " =\t");
         row("blanks and tabs", text);
         row("one line for all data", [&] {
             std::string all;

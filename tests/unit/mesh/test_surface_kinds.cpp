@@ -1,9 +1,9 @@
 // STEP files of many solids, units and editions, and what is left of them when they are cut or entities go:
 // the volume of the solid within what is told, or a word about it.
 #include "core/mesh/mesh_io.h"
-#include "tests/support/step_text.h"
 #include "tests/support/surface_files.h"
 #include "tests/support/test_runner.h"
+#include "tests/unit/mesh/step_text.h"
 
 #include "core/base/error.h"
 
@@ -63,8 +63,8 @@ private slots:
                 std::vector<std::string> entities = entities_of(text);
                 if (n % 3 == 1) std::reverse(entities.begin(), entities.end());
                 if (n % 5 != 0) text = with_entities(text, entities);
-                if (n % 2 == 1) replace_all(text, "\n", "\r\n");
-                if (n % 7 == 2) replace_all(text, ",", " , ");
+                if (n % 2 == 1) text = replaced_all(text, "\n", "\r\n");
+                if (n % 7 == 2) text = replaced_all(text, ",", " , ");
                 ++n;
                 const LoadedMesh loaded = read_step(text);
                 const QString wrong = wrong_with(loaded, solid.volume);

@@ -17,12 +17,6 @@ std::string box_object() {
     return mesh_3mf(box_mesh(Vec3(0, 0, 0), box_size));
 }
 
-std::string with_all(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-    return text;
-}
-
 /// The archive with this text in place of the model's.
 std::string with_model(const std::string& model) {
     return archive_bytes({{"[Content_Types].xml", "<Types/>"},
@@ -53,7 +47,7 @@ std::string as_streamed(std::string archive) {
 
 std::string in_16_bits(const std::string& text, bool big) {
     std::string wide = big ? "\xFE\xFF" : "\xFF\xFE";
-    for (const char c : with_all(text, "UTF-8", "UTF-16"))
+    for (const char c : replaced_all(text, "UTF-8", "UTF-16"))
         wide += big ? std::string{'\0', c} : std::string{c, '\0'};
     return wide;
 }
@@ -74,36 +68,36 @@ private slots:
         const std::string model = Maker3mf{.objects = mesh}.model();
         const std::string core = "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"";
         raw("sizes said behind the files", as_streamed(threemf_bytes({.objects = mesh})));
-        raw("the draft of 2013", with_model(with_all(model, "core/2015/02", "2013/01")));
-        row("blanks around coordinates", {.objects = with_all(mesh, "x=\"2\"", "x=\"   2.0E+00 \"")});
-        row("blanks around numbers of vertices", {.objects = with_all(mesh, "v1=\"4\"", "v1=\" 4\t\"")});
+        raw("the draft of 2013", with_model(replaced_all(model, "core/2015/02", "2013/01")));
+        row("blanks around coordinates", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"   2.0E+00 \"")});
+        row("blanks around numbers of vertices", {.objects = replaced_all(mesh, "v1=\"4\"", "v1=\" 4\t\"")});
         row("blanks around numbers of objects", {.objects = mesh, .items = "<item objectid=\" 1 \"/>"});
-        row("zeros in front", {.objects = with_all(mesh, "y=\"3\"", "y=\"0003.000\"")});
-        row("a point and nothing behind", {.objects = with_all(mesh, "z=\"4\"", "z=\"4.\"")});
-        row("quotes of one stroke", {.objects = with_all(mesh, "\"", "'")});
+        row("zeros in front", {.objects = replaced_all(mesh, "y=\"3\"", "y=\"0003.000\"")});
+        row("a point and nothing behind", {.objects = replaced_all(mesh, "z=\"4\"", "z=\"4.\"")});
+        row("quotes of one stroke", {.objects = replaced_all(mesh, "\"", "'")});
         row("elements with ends of their own",
-            {.objects =
-                 with_all(with_all(mesh, "<vertices>", "<vertices >"), "</triangles>", "</triangles\n>")});
+            {.objects = replaced_all(replaced_all(mesh, "<vertices>", "<vertices >"), "</triangles>",
+                                     "</triangles\n>")});
         {
-            std::string prefixed = with_all(model, core, "xmlns:c" + core.substr(5));
+            std::string prefixed = replaced_all(model, core, "xmlns:c" + core.substr(5));
             for (const char* name : {"model", "resources", "build", "item", "object", "mesh", "vertices",
                                      "triangles", "vertex", "triangle"})
                 for (const char* end : {" ", ">", "/"})
                     for (const char* start : {"<", "</"})
-                        prefixed = with_all(prefixed, std::string(start) + name + end,
-                                            std::string(start) + "c:" + name + end);
+                        prefixed = replaced_all(prefixed, std::string(start) + name + end,
+                                                std::string(start) + "c:" + name + end);
             raw("a prefix for all of it", with_model(prefixed));
         }
         raw("UTF-16, the small end first", with_model(in_16_bits(model, false)));
         raw("UTF-16, the large end first", with_model(in_16_bits(model, true)));
         raw("a mark in front of UTF-8", with_model("\xEF\xBB\xBF" + model));
-        raw("ISO 8859-1", with_model(with_all(with_all(model, "UTF-8", "ISO-8859-1"), "<object ",
-                                              "<object name=\"B\xFC"
-                                              "chse\" ")));
+        raw("ISO 8859-1", with_model(replaced_all(replaced_all(model, "UTF-8", "ISO-8859-1"), "<object ",
+                                                  "<object name=\"B\xFC"
+                                                  "chse\" ")));
         raw("no declaration", with_model(model.substr(model.find('\n') + 1)));
-        raw("lines end as in DOS", with_model(with_all(model, "><", ">\r\n<")));
+        raw("lines end as in DOS", with_model(replaced_all(model, "><", ">\r\n<")));
         raw("blank lines behind the end", with_model(model + "\n\n  \n"));
-        row("characters by their numbers", {.objects = with_all(mesh, "x=\"2\"", "x=\"&#50;\"")});
+        row("characters by their numbers", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"&#50;\"")});
         row("a section of plain text",
             {.objects = "<metadata name=\"Title\"><![CDATA[<object id=\"1\"/>]]></metadata>" + mesh});
         row("what an application says of it",
@@ -112,18 +106,18 @@ private slots:
             {.objects = mesh,
              .items = "<item objectid=\"1\" p:UUID=\"74bb9c7d-38be-4cf5-9ba2-2a8ecb7b9f22\"/>"});
         row("sets of triangles",
-            {.objects = with_all(mesh, "</triangles>",
-                                 "</triangles><t:trianglesets><t:triangleset name=\"Top\" "
-                                 "identifier=\"t\"><t:ref index=\"1\"/>"
-                                 "</t:triangleset></t:trianglesets>"),
+            {.objects = replaced_all(mesh, "</triangles>",
+                                     "</triangles><t:trianglesets><t:triangleset name=\"Top\" "
+                                     "identifier=\"t\"><t:ref index=\"1\"/>"
+                                     "</t:triangleset></t:trianglesets>"),
              .model_attributes =
                  "xmlns:t=\"http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07\""});
         row("a property of every corner",
             {.objects =
                  "<basematerials id=\"9\"><base name=\"PLA\" displaycolor=\"#FF8000\"/></basematerials>"
-                 + with_all(mesh, "<triangle ", "<triangle pid=\"9\" p1=\"0\" p2=\"0\" p3=\"0\" ")});
+                 + replaced_all(mesh, "<triangle ", "<triangle pid=\"9\" p1=\"0\" p2=\"0\" p3=\"0\" ")});
         row("a picture of the object",
-            {.objects = with_all(mesh, "<object ", "<object thumbnail=\"/Thumbnails/a.png\" "),
+            {.objects = replaced_all(mesh, "<object ", "<object thumbnail=\"/Thumbnails/a.png\" "),
              .more = {{"Thumbnails/a.png", "no picture"}}});
         row("settings of slicers beside", {.objects = mesh,
                                            .more = {{"Metadata/Slic3r_PE.config", "; fill_density = 15%"},
@@ -132,7 +126,8 @@ private slots:
             {.objects = mesh + mesh_3mf(box_mesh(Vec3(0, 0, -5), Vec3(1, 1, 0)), 2, "type=\"solidsupport\""),
              .items = "<item objectid=\"1\"/><item objectid=\"2\"/>"});
         row("vertices that nobody names",
-            {.objects = with_all(mesh, "</vertices>", "<vertex x=\"90\" y=\"90\" z=\"90\"/></vertices>")});
+            {.objects =
+                 replaced_all(mesh, "</vertices>", "<vertex x=\"90\" y=\"90\" z=\"90\"/></vertices>")});
         row("turned about Z, and back",
             {.objects =
                  mesh
@@ -173,20 +168,21 @@ private slots:
         };
         const std::string mesh = box_object();
         const std::string model = Maker3mf{.objects = mesh}.model();
-        row("a coordinate of blanks", {.objects = with_all(mesh, "x=\"2\"", "x=\"  \"")}, "syntax");
-        row("two numbers in one", {.objects = with_all(mesh, "x=\"2\"", "x=\"2 0\"")}, "syntax");
-        row("half a vertex's number", {.objects = with_all(mesh, "v1=\"4\"", "v1=\"4.5\"")}, "syntax");
-        row("an attribute twice", {.objects = with_all(mesh, "x=\"2\"", "x=\"2\" x=\"2\"")}, "syntax");
-        row("infinite", {.objects = with_all(mesh, "x=\"2\"", "x=\"INF\"")}, "non_finite");
+        row("a coordinate of blanks", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"  \"")}, "syntax");
+        row("two numbers in one", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"2 0\"")}, "syntax");
+        row("half a vertex's number", {.objects = replaced_all(mesh, "v1=\"4\"", "v1=\"4.5\"")}, "syntax");
+        row("an attribute twice", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"2\" x=\"2\"")}, "syntax");
+        row("infinite", {.objects = replaced_all(mesh, "x=\"2\"", "x=\"INF\"")}, "non_finite");
         row("slices in place of a mesh",
-            {.objects = with_all(mesh, "<object ", "<object s:meshresolution=\"lowres\" "),
+            {.objects = replaced_all(mesh, "<object ", "<object s:meshresolution=\"lowres\" "),
              .model_attributes = "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\""},
             "unsupported_format");
-        raw("a draft that nobody knows", with_model(with_all(model, "core/2015/02", "2012/01")), "syntax");
+        raw("a draft that nobody knows", with_model(replaced_all(model, "core/2015/02", "2012/01")),
+            "syntax");
         raw("words of another encoding",
-            with_model(with_all(model, "<object ",
-                                "<object name=\"B\xFC"
-                                "chse\" ")),
+            with_model(replaced_all(model, "<object ",
+                                    "<object name=\"B\xFC"
+                                    "chse\" ")),
             "syntax");
         raw("two models in one", with_model(model + model.substr(model.find('\n') + 1)), "syntax");
         {
@@ -197,7 +193,7 @@ private slots:
             for (int k = 0; k < 60'000; ++k)
                 items += "<item objectid=\"1\"/>";
             row("vertices of no facet, again and again",
-                {.objects = with_all(mesh, "</vertices>", many + "</vertices>"), .items = items},
+                {.objects = replaced_all(mesh, "</vertices>", many + "</vertices>"), .items = items},
                 "limit_exceeded");
         }
         {
