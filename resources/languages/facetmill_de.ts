@@ -3828,6 +3828,10 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
+        <source>beside {1} of {2} contact points no posture clears the whole strip: it is cut under the pass, and left to clean-up beside it</source>
+        <translation>neben {1} von {2} Berührpunkten trägt keine Stellung den ganzen Streifen ab: er wird unter der Bahn gefräst und bleibt daneben der Restbearbeitung</translation>
+    </message>
+    <message>
         <source>bottom</source>
         <translation>unten</translation>
     </message>

@@ -3828,6 +3828,10 @@
         <translation>fraise hémisphérique</translation>
     </message>
     <message>
+        <source>beside {1} of {2} contact points no posture clears the whole strip: it is cut under the pass, and left to clean-up beside it</source>
+        <translation>à côté de {1} des {2} points de contact, aucune posture n'enlève toute la bande : elle est usinée sous la passe et laissée au nettoyage à côté</translation>
+    </message>
+    <message>
         <source>bottom</source>
         <translation>bas</translation>
     </message>

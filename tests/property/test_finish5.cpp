@@ -474,6 +474,52 @@ private slots:
         }
     }
 
+    /// Strips that are wider than a ball clears to tolerance: half of each is cut, or what lies under the
+    /// pass, and the rest is told.
+    void strips_that_no_posture_clears_are_cut_under_the_pass_data() {
+        QTest::addColumn<double>("step");
+        QTest::addColumn<double>("cleared"); ///< of the step, to either side
+        QTest::newRow("as wide as the ball clears") << 1.2 << 0.5;
+        QTest::newRow("half") << 2.4 << 0.25;
+        QTest::newRow("under the pass") << 5.0 << 0.0;
+    }
+    void strips_that_no_posture_clears_are_cut_under_the_pass() {
+        QFETCH(double, step);
+        QFETCH(double, cleared);
+        const Mesh part = sheet("plane");
+        const PlanContext context = five_axis_context(part, cutter("ball"));
+        Finish5Settings s = settings(0.1);
+        s.stepover = {step, ""};
+        const StrategyResult path = Finish5(s).plan(context, Progress());
+        const auto record = path.as<TiltedPath>()->record;
+        const std::size_t narrowed = cleared < 0.5 ? record->points.size() : 0;
+        QCOMPARE(path.cleanup_points, narrowed);
+        const bool told = std::any_of(path.warnings.begin(), path.warnings.end(), [](const std::string& w) {
+            return w.find("no posture clears the whole strip") != std::string::npos;
+        });
+        QCOMPARE(told, narrowed > 0);
+        // What is said to be cleared is, by the ball's centre over the plane.
+        const Vec3 normal = Vec3(-0.1, 0, 1).normalized();
+        std::size_t locations = 0;
+        for (const Pass& pass : path.passes)
+            for (const CutterLocation& c : pass.cl) {
+                ++locations;
+                const Vec3 centre = c.tip + 3 * c.axis;
+                const double over = normal.dot(centre - part.vertices.front());
+                QVERIFY(over > 3 - 1e-6);
+                const double aside = cleared * step + std::abs(centre.y() - pass.offset);
+                QVERIFY2(std::hypot(over, aside) < 3 + s.tolerance, qPrintable(QString::number(aside)));
+            }
+        // Places beyond the part, where the tool runs out, have nothing under the pass.
+        std::size_t on_part = 0;
+        for (const FiveAxisRecord::Point& p : record->points)
+            if (std::abs(p.place.surface.x()) < high.x()) {
+                ++on_part;
+                QVERIFY(p.choice.free);
+            }
+        QVERIFY2(on_part > 50 && locations >= on_part, qPrintable(QString::number(locations)));
+    }
+
     /// Grids and limits of every width: neighbours stay together, or the pass is parted.
     void axes_turn_within_the_limit() {
         const Mesh part = sheet("saddle");

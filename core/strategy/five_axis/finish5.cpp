@@ -52,8 +52,12 @@ void warn(const Told& t, const UnfreePoints& unfree, const KeptPostures& kept, S
         told.push_back(std::to_string(unfree.count()) + " of " + std::to_string(t.points)
                        + " contact points have no free posture and are left to clean-up; mostly "
                        + unfree.main_cause(t.settings.posture));
-    if (result.cleanup_points > unfree.count())
-        told.push_back(std::to_string(result.cleanup_points - unfree.count())
+    if (unfree.narrowed() > 0)
+        told.push_back("beside " + std::to_string(unfree.narrowed()) + " of " + std::to_string(t.points)
+                       + " contact points no posture clears the whole strip: it is cut under the pass, and "
+                         "left to clean-up beside it");
+    if (const std::size_t said = unfree.count() + unfree.narrowed(); result.cleanup_points > said)
+        told.push_back(std::to_string(result.cleanup_points - said)
                        + " places are left to clean-up because the tool cannot come there from "
                          "its neighbours without gouging or turning too far");
     for (std::string& warning : kept.warnings())

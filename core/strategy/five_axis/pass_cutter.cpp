@@ -42,7 +42,7 @@ void PassCutter::finish(const Progress& progress) {
     pending_.reset();
 }
 
-PostureStudy PassCutter::study(const PlacedLine& line, const Progress& progress) {
+PostureStudy PassCutter::study(PlacedLine& line, const Progress& progress) {
     const auto start = Clock::now();
     PostureStudy made = study_postures(field_, line.places, progress);
     const double spent = seconds_since(start);
@@ -61,7 +61,12 @@ void PassCutter::cut(Pending& line, std::span<const PassPoint> next, const Progr
     FiveAxisRecord::Line recorded{record_->points.size(), 0, line.drive, 0};
     for (std::size_t i = 0; i < placed.places.size(); ++i) {
         record_->points.push_back({placed.places[i], line.study.points[i].cm2_lead, placed.choices[i]});
-        if (!placed.choices[i].free) unfree_.add(line.study.spaces[i]);
+        if (!placed.choices[i].free) {
+            unfree_.add(line.study.spaces[i]);
+        } else if (line.study.narrowed[i] != 0) {
+            unfree_.add_narrowed();
+            done_.uncut.push_back({placed.places[i].surface, placed.places[i].frame.normal});
+        }
     }
     recorded.end = record_->points.size();
     record_->lines.push_back(recorded);

@@ -49,7 +49,7 @@ private:
         int drive = 0;
         double v = 0;
     };
-    PostureStudy study(const PlacedLine& line, const Progress& progress);
+    PostureStudy study(PlacedLine& line, const Progress& progress);
     /// Chooses the postures of a line and makes its passes. `next`: points of the line that comes after.
     void cut(Pending& line, std::span<const PassPoint> next, const Progress& progress);
     void add_run_outs(PlacedLine& line) const;

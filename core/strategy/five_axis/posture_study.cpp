@@ -3,11 +3,16 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
+#include <algorithm>
+#include <array>
+
 namespace facetmill {
 
 namespace {
 /// Places that a thread takes at a time.
 constexpr std::size_t studied_per_block = 8;
+/// What is asked for of strips that no posture clears, one after the other.
+constexpr std::array strip_shares{0.5, 0.0};
 
 /// The posture kept at a place, lifted as little as cuts nothing, if that is free.
 std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
@@ -23,9 +28,33 @@ std::optional<PostureValue> kept_posture(const FiveAxisField& field, const Conta
     return posture;
 }
 
+bool has_free_node(const CSpace& space) {
+    return std::find(space.block.begin(), space.block.end(), PostureBlock::free) != space.block.end();
+}
+
+/// Where a strip is wider than was estimated, what lies under the pass itself need not stay.
+void narrow_strip(const FiveAxisField& field, ContactPlace& place, std::vector<RaisedCurve>& curves,
+                  CSpace& space, char& narrowed, const Progress& progress) {
+    if (place.kept || has_free_node(space) || place.v_lo == place.v_hi) return;
+    for (const double share : strip_shares) {
+        ContactPlace narrow = place;
+        narrow.v_lo = place.v + share * (place.v_lo - place.v);
+        narrow.v_hi = place.v + share * (place.v_hi - place.v);
+        std::vector<RaisedCurve> fewer = field.strip_curves(narrow);
+        if (fewer.empty()) continue; // nothing to clear would be cleared by a tool far above the part
+        CSpace other = field.builder().build(narrow.frame, fewer, progress);
+        if (!has_free_node(other)) continue;
+        place = narrow;
+        curves = std::move(fewer);
+        space = std::move(other);
+        narrowed = 1;
+        return;
+    }
+}
+
 } // namespace
 
-PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
+PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace>& places,
                             const Progress& progress) {
     PostureStudy study;
     study.curves.resize(places.size());
@@ -36,6 +65,11 @@ PostureStudy study_postures(const FiveAxisField& field, const std::vector<Contac
     for (const ContactPlace& p : places)
         frames.push_back(p.frame);
     study.spaces = field.builder().build(frames, study.curves, progress.part(0, 0), &study.stages);
+    study.narrowed.assign(places.size(), 0);
+    parallel_for(places.size(), 1, progress.part(0, 0), [&](std::size_t i) {
+        narrow_strip(field, places[i], study.curves[i], study.spaces[i], study.narrowed[i],
+                     progress.part(0, 0));
+    });
     for (std::size_t i = 0; i < places.size(); ++i) {
         PassPoint point;
         point.frame = places[i].frame;

@@ -14,6 +14,7 @@ struct PostureStudy {
     std::vector<std::vector<RaisedCurve>> curves;
     std::vector<CSpace> spaces;
     std::vector<PassPoint> points;
+    std::vector<char> narrowed;   ///< places whose strip was made narrower, see study_postures
     CSpaceBuilder::Stages stages; ///< processor seconds
 
     PostureStudy() = default;
@@ -21,8 +22,10 @@ struct PostureStudy {
     PostureStudy& operator=(PostureStudy&&) = default;
 };
 
-/// Postures kept by hand at the places are taken where they are free (PassPoint::kept).
-PostureStudy study_postures(const FiveAxisField& field, const std::vector<ContactPlace>& places,
+/// Postures kept by hand at the places are taken where they are free (PassPoint::kept). Where no posture on
+/// the grid clears the strip of a place, less of it is asked for, in the end the pass's own line alone; where
+/// that helps, the place has the narrower strip from then on.
+PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace>& places,
                             const Progress& progress);
 
 /// `before`: where the tool comes from, the end of the pass before; `next`: the points of the next, if any.

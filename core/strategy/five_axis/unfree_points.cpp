@@ -35,6 +35,7 @@ void UnfreePoints::add(const CSpace& space) {
 
 void UnfreePoints::add(const UnfreePoints& others) {
     count_ += others.count_;
+    narrowed_ += others.narrowed_;
     for (std::size_t b = 0; b < blocked_.size(); ++b)
         blocked_[b] += others.blocked_[b];
 }
