@@ -2,6 +2,8 @@
 
 #include "ui/boundary_controller.h"
 #include "ui/cspace_controller.h"
+#include "ui/divide_bar.h"
+#include "ui/divide_controller.h"
 #include "ui/fixture_controller.h"
 #include "ui/inputs_controller.h"
 #include "ui/inspection_controller.h"
@@ -16,6 +18,7 @@
 #include "ui/properties_panel.h"
 #include "ui/region_controller.h"
 #include "ui/repair_button.h"
+#include "ui/rough_bar.h"
 #include "ui/rough_controller.h"
 #include "ui/same_place.h"
 #include "ui/scan_controller.h"
@@ -51,6 +54,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
     auto* picker = new PointPicker(p.document, p.viewport, p.properties, p.messages, window);
     verification_ = new VerificationController(p.document, p.viewport, p.layers, p.job, window);
     rough_ = new RoughController(p.document, p.viewport, window);
+    divide_ = new DivideController(p.document, p.viewport, window);
     regions_ = new RegionController(p.document, p.viewport, window);
     inspection_ = new InspectionController(p.document, p.viewport, p.layers, window);
     unrolled_ = new UnrolledController(p.document, window);
@@ -88,9 +92,9 @@ void Controllers::build(const Parts& p, QWidget* window) {
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {measure_,  picker,  boundaries, verification_, rough_, regions_,  inspection_,
-            unrolled_, cspace_, tool_,      strips_,       part_,  fixtures,  inputs_,
-            place_,    scan_,   study_,     paths_,        kept_,  same_place};
+    all_ = {measure_,    picker,    boundaries, verification_, rough_,  divide_, regions_,
+            inspection_, unrolled_, cspace_,    tool_,         strips_, part_,   fixtures,
+            inputs_,     place_,    scan_,      study_,        paths_,  kept_,   same_place};
 }
 
 void Controllers::connect_document(const Document& document) {
@@ -190,6 +194,10 @@ void Controllers::connect_view(Viewport& viewport) {
 bool Controllers::take_key(const QKeyEvent& event) {
     return std::any_of(all_.begin(), all_.end(),
                        [&](Controller* controller) { return controller->take_key(event); });
+}
+
+std::vector<QWidget*> Controllers::operation_bars() {
+    return {rough_->bar(), divide_->bar()};
 }
 
 bool Controllers::busy() const {

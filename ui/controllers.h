@@ -18,6 +18,7 @@ namespace facetmill::ui {
 
 class BoundaryController;
 class CSpaceController;
+class DivideController;
 class InputsController;
 class InspectionController;
 class KeptPlans;
@@ -63,6 +64,7 @@ public:
     InspectionController& inspection() { return *inspection_; }
     UnrolledController& unrolled() { return *unrolled_; }
     RoughController& rough() { return *rough_; }
+    DivideController& divide() { return *divide_; }
     RegionController& regions() { return *regions_; }
     StripController& strips() { return *strips_; }
     PartController& part() { return *part_; }
@@ -81,6 +83,8 @@ public:
     }
     bool take_key(const QKeyEvent& event);
     bool busy() const;
+    /// Below the view, each while an operation of its kind is chosen.
+    std::vector<QWidget*> operation_bars();
 
 signals:
     void settled();
@@ -97,6 +101,7 @@ private:
 
     VerificationController* verification_ = nullptr;
     RoughController* rough_ = nullptr;
+    DivideController* divide_ = nullptr;
     RegionController* regions_ = nullptr;
     InspectionController* inspection_ = nullptr;
     UnrolledController* unrolled_ = nullptr;

@@ -140,7 +140,7 @@ void MainWindow::build_parts() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(viewport_, 1);
-    workspaces_ = new Workspaces(*layers_, *roughing().bar(), *verification().bar(), center);
+    workspaces_ = new Workspaces(*layers_, controllers_->operation_bars(), *verification().bar(), center);
     column->addWidget(workspaces_);
 }
 

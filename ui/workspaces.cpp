@@ -57,22 +57,24 @@ QString workspace_help(Workspace workspace) {
     return Workspaces::tr(entries[std::size_t(workspace)].help);
 }
 
-Workspaces::Workspaces(LayerBar& layers, QWidget& rough_bar, QWidget& playback_bar, QWidget* parent)
+Workspaces::Workspaces(LayerBar& layers, const std::vector<QWidget*>& operation_bars, QWidget& playback_bar,
+                       QWidget* parent)
     : QWidget(parent), layers_(layers), playback_(playback_bar) {
     setObjectName(QStringLiteral("workspaces"));
     for (const Entry& e : entries) {
         const auto kept = settings::shown_layers(QLatin1String(e.name));
         shown_[std::size_t(e.workspace)] = kept ? layers_named(*kept) : e.shown;
     }
-    const auto holder = [this](QWidget& bar) {
+    const auto holder = [this](const std::vector<QWidget*>& bars) {
         auto* w = new QWidget(this);
         auto* column = new QVBoxLayout(w);
         column->setContentsMargins(0, 0, 0, 0);
-        column->addWidget(&bar);
+        for (QWidget* bar : bars)
+            column->addWidget(bar);
         return w;
     };
-    plan_bars_ = holder(rough_bar);
-    play_bars_ = holder(playback_bar);
+    plan_bars_ = holder(operation_bars);
+    play_bars_ = holder({&playback_bar});
     nothing_ = new QLabel(tr("Nothing to play back yet: plan first (F5)."), play_bars_);
     nothing_->setObjectName(QStringLiteral("nothing_to_play"));
     nothing_->setContentsMargins(8, 6, 8, 6);

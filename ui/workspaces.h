@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <array>
+#include <vector>
 
 class QLabel;
 class QToolButton;
@@ -25,8 +26,10 @@ QString workspace_help(Workspace workspace);
 class Workspaces : public QWidget {
     Q_OBJECT
 public:
-    /// Takes the bars in: the layers, the choice of a roughing layer and the playback.
-    Workspaces(LayerBar& layers, QWidget& rough_bar, QWidget& playback_bar, QWidget* parent);
+    /// Takes the bars in: the layers, those of chosen operations (a roughing layer, a divide) and the
+    /// playback.
+    Workspaces(LayerBar& layers, const std::vector<QWidget*>& operation_bars, QWidget& playback_bar,
+               QWidget* parent);
 
     Workspace current() const { return current_; }
     /// What was just done is to be seen there. Each has the layers that were shown in it last.

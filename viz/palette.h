@@ -50,6 +50,7 @@ struct Colors {
     Rgb stock, cut_stock;
     Rgb fixture, chosen_fixture;
     Rgb boundary, avoided, boundary_line, avoided_line; ///< where operations cut within, and keep off
+    Rgb steep, shallow;                                 ///< what an operation cuts by levels, and by passes
     Rgb gouge, excess, collision;                       ///< findings
     Rgb contacts;
     Rgb left, kept;                        ///< contact points left to clean-up; postures kept by hand

@@ -26,6 +26,24 @@ void put_point(std::vector<float>& to, const Vec3& v) {
     to.insert(to.end(), {float(v.x()), float(v.y()), float(v.z())});
 }
 
+struct RoleLook {
+    Rgb surface, line;
+    const char* legend;
+};
+RoleLook look_of(const Colors& colors, std::size_t role) {
+    switch (BoundaryRole(role)) {
+    case BoundaryRole::within:
+        return {colors.boundary, colors.boundary_line, "Boundary"};
+    case BoundaryRole::avoided:
+        return {colors.avoided, colors.avoided_line, "Kept off"};
+    case BoundaryRole::steep:
+        return {colors.steep, colors.steep, "Steep"};
+    case BoundaryRole::shallow:
+        break;
+    }
+    return {colors.shallow, colors.shallow, "Shallow"};
+}
+
 } // namespace
 
 SceneBoundaries::SceneBoundaries(SceneStage& stage, const ScenePart& part) : SceneLayer(stage), part_(part) {
@@ -46,6 +64,28 @@ SceneBoundaries::~SceneBoundaries() = default;
 
 bool SceneBoundaries::fits(const Tint& tint) const {
     return display_ && display_ == part_.display() && tint.marks.size() == display_->mesh->facet_count();
+}
+
+/// Whether the sides of a divide are shown: they stand for the boundary, which they keep to.
+bool SceneBoundaries::divided() const {
+    return fits(tint_of(BoundaryRole::steep)) || fits(tint_of(BoundaryRole::shallow));
+}
+
+bool SceneBoundaries::tinted(std::size_t role, std::size_t facet) const {
+    if (!tints_[role].marks[facet]) return false;
+    if (role < std::size_t(BoundaryRole::steep)) return true;
+    const Tint &within = tint_of(BoundaryRole::within), &avoided = tint_of(BoundaryRole::avoided);
+    return !(fits(within) && within.count > 0 && !within.marks[facet])
+           && !(fits(avoided) && avoided.marks[facet]);
+}
+
+void SceneBoundaries::divide_anew() {
+    for (const BoundaryRole role : {BoundaryRole::steep, BoundaryRole::shallow}) {
+        Tint& tint = tints_[std::size_t(role)];
+        for (const auto& piece : tint.pieces)
+            piece->stale = true;
+        tint.coarse.stale = true;
+    }
 }
 
 void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks, PartDisplayPtr area) {
@@ -87,6 +127,7 @@ void SceneBoundaries::set(BoundaryRole role, std::vector<char> marks, PartDispla
         tint.area_actor.set_data(triangle_data(tint.area->points, tint.area->normals, tint.area->triangles),
                                  tint.area->center);
     if (role == BoundaryRole::within) added_.clear();
+    if (role < BoundaryRole::steep) divide_anew();
 }
 
 Vec3 SceneBoundaries::draped(const Vec3& place) const {
@@ -132,12 +173,13 @@ void SceneBoundaries::paint(const std::vector<Index>& facets, bool in) {
         added_.push_back(f);
     }
     tint.coarse.stale = true;
+    divide_anew();
 }
 
 void SceneBoundaries::look(SceneActor& actor, std::size_t role) {
     const Colors& colors = colors_of(stage_.palette);
     actor.property()->DeepCopy(part_.surface().property());
-    actor.color(role == std::size_t(BoundaryRole::within) ? colors.boundary : colors.avoided);
+    actor.color(look_of(colors, role).surface);
     actor.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -tint_nearer);
 }
 
@@ -157,11 +199,12 @@ void SceneBoundaries::fill(Piece& piece, const std::vector<Index>& facets) {
     piece.stale = false;
 }
 
-void SceneBoundaries::fill_coarse(Tint& tint) {
+void SceneBoundaries::fill_coarse(std::size_t role) {
+    Tint& tint = tints_[role];
     const PartPreview& preview = display_->preview;
     std::vector<std::int32_t> triangles;
     for (std::size_t f = 0; f < tint.marks.size(); ++f) {
-        if (!tint.marks[f]) continue;
+        if (!tinted(role, f)) continue;
         std::array<std::int32_t, 3> t{};
         for (std::size_t k = 0; k < 3; ++k)
             t[k] = preview.merged[std::size_t(display_->triangles[3 * f + k])];
@@ -189,11 +232,11 @@ void SceneBoundaries::settle() {
             facets.clear();
             const std::size_t end = std::min(tint.marks.size(), (p + 1) * elements_in_piece);
             for (std::size_t f = p * elements_in_piece; f < end; ++f)
-                if (tint.marks[f]) facets.push_back(Index(f));
+                if (tinted(role, f)) facets.push_back(Index(f));
             fill(piece, facets);
             look(piece.actor, role);
         }
-        if (stage_.moving && tint.coarse.stale && !display_->preview.triangles.empty()) fill_coarse(tint);
+        if (stage_.moving && tint.coarse.stale && !display_->preview.triangles.empty()) fill_coarse(role);
         look(tint.coarse.actor, role);
     }
     added_.clear();
@@ -222,13 +265,13 @@ void SceneBoundaries::end_added() {
 void SceneBoundaries::apply_palette(const Colors& colors) {
     for (std::size_t role = 0; role < tints_.size(); ++role) {
         Tint& tint = tints_[role];
-        const bool within = role == std::size_t(BoundaryRole::within);
+        const RoleLook own = look_of(colors, role);
         for (const auto& piece : tint.pieces)
             look(piece->actor, role);
         look(tint.coarse.actor, role);
         look(tint.area_actor, role);
-        tint.line.color(within ? colors.boundary_line : colors.avoided_line);
-        tint.dots.color(within ? colors.boundary_line : colors.avoided_line);
+        tint.line.color(own.line);
+        tint.dots.color(own.line);
     }
 }
 
@@ -241,8 +284,10 @@ void SceneBoundaries::apply_line_widths() {
 
 void SceneBoundaries::apply_visibility(ShownSurface shown) {
     const bool on = shown == ShownSurface::part && stage_.on(Layer::part);
-    for (Tint& tint : tints_) {
-        const bool tinted = on && fits(tint) && !adding_;
+    for (std::size_t role = 0; role < tints_.size(); ++role) {
+        Tint& tint = tints_[role];
+        const bool tinted =
+            on && fits(tint) && !adding_ && !(divided() && role == std::size_t(BoundaryRole::within));
         const bool coarse = stage_.moving && display_ && !display_->preview.triangles.empty();
         for (const auto& piece : tint.pieces)
             piece->actor.show(tinted && !coarse && !tint.area);
@@ -284,11 +329,11 @@ void SceneBoundaries::add_legend(std::vector<LegendEntry>& entries, ShownSurface
     const Colors& colors = colors_of(stage_.palette);
     for (std::size_t role = 0; role < tints_.size(); ++role) {
         const Tint& tint = tints_[role];
-        const bool within = role == std::size_t(BoundaryRole::within);
-        const bool tinted = shown == ShownSurface::part && fits(tint) && tint.count > 0;
+        const RoleLook own = look_of(colors, role);
+        const bool tinted = shown == ShownSurface::part && fits(tint) && tint.count > 0
+                            && !(divided() && role == std::size_t(BoundaryRole::within));
         if (tinted || tint.dots.filled)
-            entries.push_back({LegendEntry::Sample::surface, within ? colors.boundary : colors.avoided, 1,
-                               within ? "Boundary" : "Kept off"});
+            entries.push_back({LegendEntry::Sample::surface, own.surface, 1, own.legend});
     }
 }
 

@@ -14,7 +14,13 @@ namespace facetmill {
 class ScenePart;
 
 /// What a boundary that is shown is for.
-enum class BoundaryRole { within, avoided };
+enum class BoundaryRole {
+    within,
+    avoided,
+    steep,   ///< no boundary: the side of an operation's divide that is cut by levels
+    shallow, ///< the other side
+};
+inline constexpr std::size_t boundary_roles = 4;
 
 class SceneBoundaries : public SceneLayer {
 public:
@@ -69,14 +75,18 @@ private:
     void add_heavy(HeavyActors& heavy) override;
     void add_legend(std::vector<LegendEntry>& entries, ShownSurface shown) const override;
     bool fits(const Tint& tint) const;
+    const Tint& tint_of(BoundaryRole role) const { return tints_[std::size_t(role)]; }
+    bool divided() const;
+    bool tinted(std::size_t role, std::size_t facet) const;
+    void divide_anew();
     void look(SceneActor& actor, std::size_t role);
     void fill(Piece& piece, const std::vector<Index>& facets);
-    void fill_coarse(Tint& tint);
+    void fill_coarse(std::size_t role);
     Vec3 draped(const Vec3& place) const;
 
     const ScenePart& part_;
     PartDisplayPtr display_; ///< whose points the actors refer to
-    std::array<Tint, 2> tints_;
+    std::array<Tint, boundary_roles> tints_;
     std::vector<Index> added_; ///< painted since the last picture
     Piece added_in_, added_out_;
     bool adding_ = false, foremost_ = false;

@@ -2092,6 +2092,10 @@
         <translation>Aufspannung {1}</translation>
     </message>
     <message>
+        <source>Shallow</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
         <source>Shank</source>
         <translation>Schaft</translation>
     </message>
@@ -2250,6 +2254,10 @@
     <message>
         <source>Start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Steep</source>
+        <translation>Steil</translation>
     </message>
     <message>
         <source>Steep and shallow</source>
@@ -10450,6 +10458,10 @@
         <source>%1° from X</source>
         <translation>%1° von X</translation>
     </message>
+    <message>
+        <source>%1°: %2 % is steep</source>
+        <translation>%1°: %2 % sind steil</translation>
+    </message>
     <message numerus="yes">
         <source>%n more</source>
         <translation><numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
@@ -11619,6 +11631,18 @@
         <translation>Abstand und Winkel zwischen zwei Punkten des Teils (M)</translation>
     </message>
     <message>
+        <source>Divide</source>
+        <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>Divide between steep and shallow</source>
+        <translation>Teilung zwischen steil und flach</translation>
+    </message>
+    <message>
+        <source>Divide by slope</source>
+        <translation>Nach Neigung teilen</translation>
+    </message>
+    <message>
         <source>Divides the part by slope: levels round what is steep, passes over the rest</source>
         <translation>Teilt das Teil nach Neigung: Höhenlinien um Steiles, Bahnen über den Rest</translation>
     </message>
@@ -12623,6 +12647,10 @@ auf, %1</translation>
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+    <message>
+        <source>Measuring slopes</source>
+        <translation>Neigungen werden gemessen</translation>
     </message>
     <message>
         <source>Mend the part's mesh: loose pieces, holes, noise, facets (R)</source>
@@ -13932,6 +13960,10 @@ auf, %1</translation>
     <message>
         <source>Slope</source>
         <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels</source>
+        <translation>Neigung gegen die Waagrechte, an der das Teil geteilt wird: was steiler ist, wird in Höhenlinien gefräst</translation>
     </message>
     <message>
         <source>Small pieces</source>

@@ -2092,6 +2092,10 @@
         <translation>Posage {1}</translation>
     </message>
     <message>
+        <source>Shallow</source>
+        <translation>Doux</translation>
+    </message>
+    <message>
         <source>Shank</source>
         <translation>Queue</translation>
     </message>
@@ -2250,6 +2254,10 @@
     <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Steep</source>
+        <translation>Raide</translation>
     </message>
     <message>
         <source>Steep and shallow</source>
@@ -10450,6 +10458,10 @@
         <source>%1° from X</source>
         <translation>%1° depuis X</translation>
     </message>
+    <message>
+        <source>%1°: %2 % is steep</source>
+        <translation>%1° : %2 % est raide</translation>
+    </message>
     <message numerus="yes">
         <source>%n more</source>
         <translation><numerusform>%n autre</numerusform><numerusform>%n autres</numerusform></translation>
@@ -11619,6 +11631,18 @@
         <translation>Distance et angle entre deux points de la pièce (M)</translation>
     </message>
     <message>
+        <source>Divide</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Divide between steep and shallow</source>
+        <translation>Limite entre raide et doux</translation>
+    </message>
+    <message>
+        <source>Divide by slope</source>
+        <translation>Diviser selon la pente</translation>
+    </message>
+    <message>
         <source>Divides the part by slope: levels round what is steep, passes over the rest</source>
         <translation>Divise la pièce par pente : des niveaux autour du raide, des passes sur le reste</translation>
     </message>
@@ -12621,6 +12645,10 @@
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+    <message>
+        <source>Measuring slopes</source>
+        <translation>Mesure des pentes</translation>
     </message>
     <message>
         <source>Mend the part's mesh: loose pieces, holes, noise, facets (R)</source>
@@ -13930,6 +13958,10 @@
     <message>
         <source>Slope</source>
         <translation>Pente</translation>
+    </message>
+    <message>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels</source>
+        <translation>Pente par rapport à l’horizontale à laquelle la pièce est divisée : ce qui est plus raide est usiné par niveaux</translation>
     </message>
     <message>
         <source>Small pieces</source>
