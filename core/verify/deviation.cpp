@@ -5,6 +5,7 @@
 #include "core/verify/moving_bodies.h"
 #include "core/verify/standing.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace facetmill {
@@ -89,9 +90,9 @@ class SampleProbe {
 public:
     SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, const MeshSight& sight,
                 const ProbeAims& aims)
-        : bodies_(bodies), exit_of_(exit_of), standing_(sight, aims.allowance, aims.far), aims_(aims),
-          collision_limit_(
-              std::clamp(aims.gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth)),
+        : bodies_(bodies), exit_of_(exit_of), sight_(sight), standing_(sight, aims.allowance, aims.far),
+          aims_(aims), collision_limit_(std::clamp(aims.gouge_limit, tolerance::collision_depth,
+                                                   tolerance::max_collision_depth)),
           deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index), nearby_(bodies.size()),
           block_(bodies.size()) {
         findings_.program_gouges.assign(bodies.size(), 0);
@@ -141,8 +142,14 @@ public:
         collide(surface);
         const double depth = gouge(surface, by);
         if (depth > 0) return -depth;
+        // Beyond where the line meets the part again nothing stands on this place.
+        double next = infinity;
+        if (value > aims_.far) {
+            next = sight_.first_hit(p, normal);
+            value = std::min(value, std::max(next, std::nextafter(aims_.far, infinity)));
+        }
         value = left(p, normal, value, by);
-        return value > aims_.far ? standing_.off_part(p, normal, value) : value;
+        return value > aims_.far ? standing_.off_part(p, normal, std::min(value, next)) : value;
     }
 
 private:
@@ -204,6 +211,7 @@ private:
 
     const std::vector<ProgramProbes>& bodies_;
     const StockExit& exit_of_;
+    const MeshSight& sight_;
     Standing standing_;
     const ProbeAims& aims_;
     double collision_limit_;

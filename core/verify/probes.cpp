@@ -317,16 +317,75 @@ BodySupport::Plane MotionProbes::between(const CutterLocation& pose, const Line&
     return plane;
 }
 
-double MotionProbes::reaches_straight(Index motion, const Line& line) const {
+namespace {
+
+/// What is left of a rectangle of places t on a line and shares s of a motion once half-planes are cut off.
+class ShareRegion {
+public:
+    ShareRegion(double near, double far) {
+        corners_[0] = {near, 0};
+        corners_[1] = {far, 0};
+        corners_[2] = {far, 1};
+        corners_[3] = {near, 1};
+        count_ = 4;
+    }
+    /// Keeps where value(t, s), which is linear, is above 0; false where that is nowhere.
+    template <class Value>
+    bool keep(const Value& value) {
+        std::array<Vec2, max_corners> kept;
+        std::size_t n = 0;
+        double before = value(corners_[count_ - 1]);
+        bool any = before > 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (n + 2 > kept.size()) return true; // made ragged by rounding: it stays as it was
+            const double here = value(corners_[i]);
+            const Vec2& last = corners_[i == 0 ? count_ - 1 : i - 1];
+            if ((before > 0) != (here > 0))
+                kept[n++] = last + before / (before - here) * (corners_[i] - last);
+            if (here > 0) kept[n++] = corners_[i];
+            any = any || here > 0;
+            before = here;
+        }
+        if (!any) return false;
+        corners_ = kept;
+        count_ = n;
+        return true;
+    }
+    Vec2 middle() const {
+        Vec2 sum = Vec2::Zero();
+        for (std::size_t i = 0; i < count_; ++i)
+            sum += corners_[i];
+        return sum / double(count_);
+    }
+    /// A half-plane cut off makes one corner more at most.
+    static constexpr int max_cuts = 6;
+
+private:
+    static constexpr std::size_t max_corners = 4 + max_cuts + 1;
+    std::array<Vec2, max_corners> corners_;
+    std::size_t count_;
+};
+
+} // namespace
+
+/// How deep a place of the line lies in the body at a share of a straight motion is concave over both: a
+/// supporting plane bounds it everywhere, and leaves a smaller region to look into. False where one is soon
+/// found to be empty.
+bool MotionProbes::may_reach(Index motion, const Line& line) const {
     const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
     const Vec3 up = support_.middle() * b.axis, route = b.tip - a.tip;
-    const double t = line.place(0.5 * (a.tip + b.tip) + up);
-    const Vec3 x = line.at(t);
-    const double square = route.squaredNorm();
-    const double s = square > 0 ? std::clamp((x - up - a.tip).dot(route) / square, 0.0, 1.0) : 0.0;
-    const BodySupport::Plane plane = support_.nearest(x - a.tip - s * route, b.axis);
-    const double along = plane.normal.dot(route);
-    return line.max_inside(plane, t) + std::max(-s * along, (1 - s) * along);
+    const double square = route.squaredNorm(), t = line.place(0.5 * (a.tip + b.tip) + up);
+    Vec2 at(t, square > 0 ? std::clamp((line.at(t) - up - a.tip).dot(route) / square, 0.0, 1.0) : 0.0);
+    ShareRegion region(line.near, line.far);
+    for (int cut = 0; cut < ShareRegion::max_cuts; ++cut) {
+        const BodySupport::Plane plane = support_.nearest(line.at(at.x()) - a.tip - at.y() * route, b.axis);
+        const Vec2 change(-plane.normal.dot(line.n), plane.normal.dot(route));
+        const double inside = plane.inside - change.dot(at);
+        if (!region.keep([&](const Vec2& x) { return inside + change.dot(x); })) return false;
+        if (plane.inside > 0) return true;
+        at = region.middle();
+    }
+    return true;
 }
 
 namespace {
@@ -342,7 +401,7 @@ bool accept(const Stretch& s, Index motion, double slack, LineProbe& probe) {
 bool MotionProbes::ask(Index motion, Line& line, LineProbe& probe) const {
     const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
     if (a.axis != b.axis) return ask_turning(motion, line, probe);
-    if (!(reaches_straight(motion, line) > 0)) return false;
+    if (!may_reach(motion, line)) return false;
     const Stretch s = SweepRays(body_, {a.tip, b.tip, b.axis}, line.n)(line.p);
     if (!accept(s, motion, slack_, probe)) return false;
     line.set(probe.value, slack_);

@@ -204,7 +204,7 @@ private:
     class TurnedPart;
     double reaches(const MotionTree::Node& node, const Line& line) const;
     BodySupport::Plane between(const CutterLocation& pose, const Line& line, double& t) const;
-    double reaches_straight(Index motion, const Line& line) const;
+    bool may_reach(Index motion, const Line& line) const;
     bool ask(Index motion, Line& line, LineProbe& probe) const;
     bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
     double max_depth(const MotionTree::Node& node, const Vec3& p, double least) const;

@@ -70,8 +70,7 @@ double Standing::far_place(const Vec3& p, const Vec3& n, double length, double l
     return place;
 }
 
-double Standing::off_part(const Vec3& p, const Vec3& n, double value) const {
-    const double top = std::min(value, sight_.first_hit(p, n));
+double Standing::off_part(const Vec3& p, const Vec3& n, double top) const {
     if (!(top > far_)) return top;
     // Of what it can be at most. A facet that is hardly nearer than the line's beginning need not be found:
     // over a hollow as wide as the line is high, that is nearly all of its facets.

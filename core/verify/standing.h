@@ -17,11 +17,11 @@ public:
     Standing(const MeshSight& sight, double allowance, double far)
         : sight_(sight), allowance_(allowance), far_(far) {}
 
-    /// How far material on p + t n, t in [0, value], is away from the part; p lies on the part grown, n leads
-    /// outward. At most `value`, and no more than up to where the line meets the part again: beyond, it
+    /// How far material on p + t n, t in [0, top], is away from the part; p lies on the part grown, n leads
+    /// outward. At most `top`, which is no more than up to where the line meets the part again: beyond, it
     /// stands on another place. Whether that is more than `far` is exact; what is higher is told to a
     /// thirtieth of the line's length, what is lower rounded up to a half, a quarter or an eighth of `far`.
-    double off_part(const Vec3& p, const Vec3& n, double value) const;
+    double off_part(const Vec3& p, const Vec3& n, double top) const;
 
 private:
     double distance(const Vec3& q, double most, double share) const {
