@@ -3,9 +3,9 @@
 // shapes to morph into are passed over.
 #include "core/mesh/gltf_file.h"
 #include "core/mesh/mesh_format.h"
+#include "core/mesh/object_choice.h"
 
 #include "core/base/error.h"
-#include "core/base/parameter.h"
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
 
@@ -26,8 +26,8 @@ constexpr unsigned triangles = 4, triangle_strip = 5, triangle_fan = 6;
 class GltfScene {
 public:
     GltfScene(const MeshSource& source, const GltfFile& file, const Progress& progress)
-        : source_(source), file_(file), progress_(progress), wanted_(listed_names(source.reading.objects)),
-          found_(wanted_.size(), false), limit_(tolerance::largest_coordinate / mm_per(LengthUnit::m)) {
+        : source_(source), file_(file), progress_(progress), wanted_(source),
+          limit_(tolerance::largest_coordinate / mm_per(LengthUnit::m)) {
         soup_.format = file.is_binary() ? "GLB" : "glTF";
         soup_.indexed = true;
         soup_.single_precision = true;
@@ -39,12 +39,8 @@ public:
         Eigen::Affine3d upright = Eigen::Affine3d::Identity(); // (x, y, z) to (x, -z, y)
         upright.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
         for (const std::size_t node : roots())
-            add_node(node, upright, wanted_.empty(), 0);
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            if (!found_[i])
-                throw Error(ErrorCode::missing_reference, source_.name,
-                            "there is no object '" + printable(wanted_[i]) + "'",
-                            "objects there are: " + names());
+            add_node(node, upright, wanted_.is_open(), 0);
+        wanted_.rest([](const std::string&) { return false; }, [&] { return names(); });
         if (soup_.facets.empty())
             throw Error(ErrorCode::no_facets, source_.name, "the file holds no triangles",
                         "export the part as a mesh");
@@ -122,13 +118,6 @@ private:
         return own;
     }
 
-    bool is_wanted(std::size_t node, const std::string& name) {
-        bool wanted = false;
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            if (wanted_[i] == name || wanted_[i] == std::to_string(node)) wanted = found_[i] = true;
-        return wanted;
-    }
-
     static std::string name_of(const Json& object) {
         const auto found = object.find("name");
         return found != object.end() && found->is_string() ? printable(found->get<std::string>(), 200)
@@ -146,7 +135,7 @@ private:
         const bool has_mesh = node.contains("mesh");
         const std::size_t mesh = file_.number(node, "mesh", 0, place);
         if (name.empty() && has_mesh) name = name_of(file_.element("meshes", mesh));
-        if (is_wanted(number, name)) taken = true;
+        if (wanted_.takes({name, std::to_string(number)})) taken = true;
         if (has_mesh) {
             const std::size_t before = soup_.facets.size();
             if (node.contains("skin")) soup_.warnings.insert("shapes_at_rest");
@@ -239,22 +228,16 @@ private:
     }
 
     std::string names() const {
-        constexpr std::size_t most = 20;
-        std::string all;
-        for (std::size_t i = 0; i < soup_.objects.size(); ++i) {
-            if (i == most) return all + ", ...";
-            const MeshObject& object = soup_.objects[i];
-            all += (i > 0 ? ", " : "") + object.number
-                   + (object.name.empty() ? "" : " (" + printable(object.name, 60) + ")");
-        }
-        return all;
+        ObjectList all;
+        for (const MeshObject& object : soup_.objects)
+            all.add(object.number, object.name);
+        return all.text();
     }
 
     const MeshSource& source_;
     const GltfFile& file_;
     const Progress& progress_;
-    std::vector<std::string> wanted_;
-    std::vector<bool> found_; ///< of `wanted_`
+    ObjectChoice wanted_;
     double limit_;
     std::uint64_t nodes_ = 0;
     TriangleSoup soup_;

@@ -1,10 +1,10 @@
 // 3MF: what lies on the build plate, or the chosen objects, as one mesh.
 #include "core/mesh/mesh_format.h"
+#include "core/mesh/object_choice.h"
 #include "core/mesh/threemf_model.h"
 
 #include "core/base/archive.h"
 #include "core/base/error.h"
-#include "core/base/parameter.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -28,8 +28,7 @@ class Expansion3mf {
 public:
     Expansion3mf(const MeshSource& source, const Model3mf& model, TriangleSoup& soup,
                  const Progress& progress)
-        : source_(source), model_(model), soup_(soup), progress_(progress),
-          wanted_(listed_names(source.reading.objects)),
+        : source_(source), model_(model), soup_(soup), progress_(progress), wanted_(source),
           limit_(tolerance::largest_coordinate / mm_per(model.unit)) {}
 
     void run() {
@@ -38,9 +37,9 @@ public:
             add(all, measure(item.object, 0));
         check(all);
         for (const Use3mf& item : model_.items)
-            append(item, item.transform, wanted_.empty());
+            append(item, item.transform, wanted_.is_open());
         append_from_shelf();
-        if (wanted_.empty() && model_.items.empty())
+        if (wanted_.is_open() && model_.items.empty())
             throw Error(ErrorCode::no_facets, source_.name, "nothing lies on the file's build plate",
                         model_.objects.empty() ? "export the part again"
                                                : "name its objects: " + object_names());
@@ -90,21 +89,10 @@ private:
         return all;
     }
 
-    bool is_wanted(const Use3mf& use, const Object3mf& object) {
-        bool wanted = false;
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            if (wanted_[i] == object.name || wanted_[i] == std::to_string(use.object.second)
-                || (!use.part_number.empty() && wanted_[i] == use.part_number)) {
-                wanted = true;
-                found_.insert(i);
-            }
-        return wanted;
-    }
-
     void append(const Use3mf& use, const Transform3mf& transform, bool taken) {
         progress_.check();
         const Object3mf& object = object_of(use.object);
-        if (!wanted_.empty() && is_wanted(use, object)) taken = true;
+        if (wanted_.takes({object.name, std::to_string(use.object.second), use.part_number})) taken = true;
         if (taken && !object.of_model) {
             soup_.warnings.insert("objects_left_out");
             return;
@@ -137,31 +125,24 @@ private:
 
     /// Objects that are asked for and lie in the file without being on its plate, as they are.
     void append_from_shelf() {
-        for (std::size_t i = 0; i < wanted_.size(); ++i) {
-            if (found_.contains(i)) continue;
+        const auto find = [&](const std::string& name) {
+            bool found = false;
             for (const auto& [id, object] : model_.objects)
-                if (object.name == wanted_[i] || std::to_string(id.second) == wanted_[i]) {
-                    found_.insert(i);
+                if (object.name == name || std::to_string(id.second) == name) {
+                    found = true;
                     check(measure(id, 0));
                     append({id, {}, {}}, {}, true);
                 }
-            if (!found_.contains(i))
-                throw Error(ErrorCode::missing_reference, source_.name,
-                            "there is no object '" + printable(wanted_[i]) + "'",
-                            "objects there are: " + object_names());
-        }
+            return found;
+        };
+        wanted_.rest(find, [&] { return object_names(); });
     }
 
     std::string object_names() const {
-        constexpr std::size_t most = 20;
-        std::string names;
-        std::size_t n = 0;
-        for (const auto& [id, object] : model_.objects) {
-            if (++n > most) return names + ", ...";
-            names += (n > 1 ? ", " : "") + std::to_string(id.second)
-                     + (object.name.empty() ? "" : " (" + printable(object.name, 60) + ")");
-        }
-        return names;
+        ObjectList names;
+        for (const auto& [id, object] : model_.objects)
+            names.add(std::to_string(id.second), object.name);
+        return names.text();
     }
 
     void list_objects() {
@@ -182,9 +163,8 @@ private:
     const Model3mf& model_;
     TriangleSoup& soup_;
     const Progress& progress_;
-    std::vector<std::string> wanted_;
+    ObjectChoice wanted_;
     double limit_;
-    std::set<std::size_t> found_; ///< of `wanted_`
     std::set<Id3mf> read_;
     std::map<Id3mf, Expanded> measured_;
 };
