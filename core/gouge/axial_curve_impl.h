@@ -149,24 +149,41 @@ struct CurveSearch {
         };
         std::uint32_t segment[double_lanes];
         int waiting = 0;
-        const auto scan = [&](std::uint32_t from, std::uint32_t to) __attribute__((always_inline)) {
-            if (from >= to) return;
-            Double4 before = bound(from);
-            for (std::uint32_t i = from; i < to; ++i) {
-                const Double4 after = bound(i + 1);
-                // Above every plane's bound: not told from the best.
-                if (bits(larger(before, after) <= best.tip) == 0) {
-                    segment[waiting++] = i;
-                    if (waiting == double_lanes) {
-                        test(segment, waiting);
-                        waiting = 0;
-                    }
-                }
-                before = after;
-            }
+        // Above every plane's bound: not told from the best.
+        const auto look_at = [&](std::uint32_t i) __attribute__((always_inline)) {
+            if (bits(larger(bound(i), bound(i + 1)) <= best.tip) != 0) return;
+            segment[waiting++] = i;
+            if (waiting < double_lanes) return;
+            test(segment, waiting);
+            waiting = 0;
         };
-        scan(0, start);
-        scan(start + near_count, last);
+        // The plane of the corner on that side alone tells of most segments, four ends at a time.
+        const auto scan = [&](std::uint32_t from, std::uint32_t to, int corner)
+            __attribute__((always_inline)) {
+            std::uint32_t i = from;
+            bool before = false; // the end before may be higher
+            for (; i + double_lanes <= to + 1 && from < to; i += double_lanes) {
+                const double* q = points + 3 * std::size_t(i);
+                const Double4 x = Double4{q[0], q[3], q[6], q[9]} - query.place[0],
+                              y = Double4{q[1], q[4], q[7], q[10]} - query.place[1],
+                              z = Double4{q[2], q[5], q[8], q[11]} - query.place[2];
+                const Double4 noise =
+                    slack * (magnitude(x) + magnitude(y) + magnitude(z) + surface.max_radius);
+                const Double4 most =
+                    plane[0][corner] * x + plane[1][corner] * y + plane[2][corner] * z - at0[corner] + noise;
+                const Mask4 higher = ~(most <= best.tip);
+                if (bits(higher) == 0 && !before) continue;
+                for (std::uint32_t w = 0; w < double_lanes; ++w) {
+                    const bool after = higher[w] != 0;
+                    if (i + w > from && (before || after)) look_at(i + w - 1);
+                    before = after;
+                }
+            }
+            for (std::uint32_t k = i > from ? i - 1 : from; k < to; ++k)
+                look_at(k);
+        };
+        scan(0, start, 0);
+        scan(start + near_count, last, int(near_count));
         if (waiting > 0) test(segment, waiting);
     }
 };
