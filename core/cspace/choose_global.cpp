@@ -204,7 +204,7 @@ private:
     Stops around(std::size_t i, const PostureValue& middle, double step) const {
         const PassPoint& point = points_[i];
         const PostureGrid& grid = *builder_.input().grid;
-        ToolLift::Hint hint;
+        CSpaceBuilder::Hints hints;
         Stops stops;
         if (point.kept) {
             stops_.add(point, *point.kept, 0, stops.all);
@@ -215,7 +215,7 @@ private:
                 const double lead = std::clamp(middle.lead + l * step, grid.lead.front(), grid.lead.back());
                 const double yaw = std::clamp(middle.yaw + o * step, grid.yaw.front(), grid.yaw.back());
                 if ((l != 0 && lead == middle.lead) || (o != 0 && yaw == middle.yaw)) continue;
-                stops_.add_free(point, lead, yaw, hint, stops.all);
+                stops_.add_free(point, lead, yaw, hints, stops.all);
             }
         return stops;
     }
@@ -256,12 +256,18 @@ private:
         double seconds = seconds_of(path);
         for (int refinement = 0; refinement < refinements && step > 0; ++refinement) {
             step *= 0.5;
+            std::vector<Stops> finer(stops.size());
+            std::vector<PostureValue> middles(end - begin);
             for (int round = 0; round < rounds_per_step; ++round) {
-                std::vector<Stops> finer(stops.size());
                 parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
-                    finer[begin + k] = around(begin + k, path[k].posture, step);
+                    Stops& here = finer[begin + k];
+                    const PostureValue& middle = path[k].posture;
+                    // Where the round before led nowhere else its stops serve again.
+                    if (round > 0 && middle.lead == middles[k].lead && middle.yaw == middles[k].yaw) return;
+                    middles[k] = middle;
+                    here = around(begin + k, middle, step);
                     // The middle is free by construction; should rounding say otherwise it is kept as it was.
-                    if (finer[begin + k].empty()) finer[begin + k].all.push_back(path[k]);
+                    if (here.empty()) here.all.push_back(path[k]);
                 });
                 std::vector<JointClock::Times> speeds;
                 if (input_.accelerations) speeds = speeds_of(path);

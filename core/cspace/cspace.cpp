@@ -82,10 +82,29 @@ CSpaceBuilder::CSpaceBuilder(const CSpaceInput& input)
         throw Error(ErrorCode::out_of_range, "local_radius", "is negative", "give a length");
 }
 
-double CSpaceBuilder::bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint) const {
+double CSpaceBuilder::bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint,
+                             double enough) const {
     const CutterProfile& cutter = input_.lift->cutter();
     if (!can_touch(cutter, lead, input_.height)) return infinity;
-    return std::max(0.0, input_.lift->lift(posture_pose(cutter, frame, {lead, yaw, 0}), hint));
+    return input_.lift->lift_above(posture_pose(cutter, frame, {lead, yaw, 0}), 0, enough, hint);
+}
+
+std::optional<CSpaceBuilder::Free> CSpaceBuilder::free(const ContactFrame& frame, double lead, double yaw,
+                                                       std::span<const RaisedCurve> curves,
+                                                       Hints& hints) const {
+    const CutterProfile& cutter = input_.lift->cutter();
+    if (!can_touch(cutter, lead, input_.height)) return std::nullopt;
+    const ToolPose pose = posture_pose(cutter, frame, {lead, yaw, 0});
+    // The top first: the curves are short, and where it is below 0 that is all.
+    hints.top.resize(std::max(hints.top.size(), curves.size()));
+    double top = infinity;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        top = std::min(top, curve_.lift(pose, curves[i], hints.top[i], top));
+        if (!(top >= 0)) return std::nullopt;
+    }
+    const Free found{{lead, yaw, input_.lift->lift_above(pose, 0, top, hints.bottom)}, top};
+    if (!(found.posture.delta <= top) || !holds(frame, found.posture)) return std::nullopt;
+    return found;
 }
 
 double CSpaceBuilder::top(const ContactFrame& frame, double lead, double yaw,

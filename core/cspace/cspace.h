@@ -27,6 +27,7 @@
 #include "core/gouge/tool_lift.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -90,7 +91,9 @@ public:
     }
 
     /// Any posture, also between nodes, without allocation; the values of `build`.
-    double bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint) const;
+    /// The bottom is exact up to `enough`, and where it is above that any number between the two.
+    double bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint,
+                  double enough = infinity) const;
     double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
     /// The top of any pose: below 0 where it leaves more than it may at one of the curves.
     double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
@@ -98,6 +101,20 @@ public:
     /// where the cutter cannot touch with this lead.
     double top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
                double enough) const;
+
+    /// What makes the next of similar postures at a contact point faster.
+    struct Hints {
+        ToolLift::Hint bottom;
+        std::vector<CurveLift::Hint> top;
+    };
+    /// A posture lifted as little as cuts nothing, and the top there.
+    struct Free {
+        PostureValue posture;
+        double top = 0;
+    };
+    /// Nothing where that is not free.
+    std::optional<Free> free(const ContactFrame& frame, double lead, double yaw,
+                             std::span<const RaisedCurve> curves, Hints& hints) const;
 
     /// The whole space of one contact point. Needs input().grid.
     CSpace build(const ContactFrame& frame, std::span<const RaisedCurve> curves,

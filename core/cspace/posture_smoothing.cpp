@@ -94,10 +94,10 @@ private:
         if (!(now[1] > 0)) return;
         std::vector<PostureStop> taut;
         taut.reserve(end - begin - 1);
-        ToolLift::Hint hint;
+        CSpaceBuilder::Hints hints;
         for (std::size_t k = begin + 1; k < end; ++k) {
             const double share = when[k - begin] / when.back();
-            const auto stop = held(k, clock_.axis_between(from.joints, to.joints, share), hint);
+            const auto stop = held(k, clock_.axis_between(from.joints, to.joints, share), hints);
             if (!stop) return;
             taut.push_back(*stop);
         }
@@ -108,14 +108,14 @@ private:
 
     /// The stop at a point with this tool axis whose joints stand nearest to those it has, if it is free and
     /// no more crowded.
-    std::optional<PostureStop> held(std::size_t k, const Vec3& axis, ToolLift::Hint& hint) const {
+    std::optional<PostureStop> held(std::size_t k, const Vec3& axis, CSpaceBuilder::Hints& hints) const {
         const PassPoint& point = points_[k];
         const PostureValue wanted = posture_of_axis(point.frame, axis);
         const PostureGrid& grid = *stops_.input().builder->input().grid;
         const double lead = std::clamp(wanted.lead, grid.lead.front(), grid.lead.back());
         const double yaw = std::clamp(wanted.yaw, grid.yaw.front(), grid.yaw.back());
         std::vector<PostureStop> stops;
-        stops_.add_free(point, lead, yaw, hint, stops);
+        stops_.add_free(point, lead, yaw, hints, stops);
         std::optional<PostureStop> best;
         double nearest = infinity;
         for (const PostureStop& stop : stops) {
@@ -134,8 +134,8 @@ private:
         const double before = (own.tip - a.tip).norm(), after = (b.tip - own.tip).norm();
         const double t = before + after > 0 ? before / (before + after) : 0.5;
         const Vec3 between = (a.axis + t * (b.axis - a.axis)).normalized();
-        ToolLift::Hint hint;
-        const auto stop = held(k, (own.axis + share * (between - own.axis)).normalized(), hint);
+        CSpaceBuilder::Hints hints;
+        const auto stop = held(k, (own.axis + share * (between - own.axis)).normalized(), hints);
         if (!stop) return false;
         const Vec3& axis = stop->stand.pose.axis;
         if (std::min(axis.dot(a.axis), axis.dot(b.axis)) < cos_limit_) return false;

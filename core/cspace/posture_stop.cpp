@@ -28,13 +28,10 @@ void PostureStops::add(const PassPoint& point, const PostureValue& posture, doub
         stops.push_back({posture, {pose, held.at[std::size_t(w)]}, own_cost(posture, top)});
 }
 
-void PostureStops::add_free(const PassPoint& point, double lead, double yaw, ToolLift::Hint& hint,
+void PostureStops::add_free(const PassPoint& point, double lead, double yaw, CSpaceBuilder::Hints& hints,
                             std::vector<PostureStop>& stops) const {
-    const CSpaceBuilder& builder = *input_.builder;
-    const double bottom = builder.bottom(point.frame, lead, yaw, hint);
-    const double top = builder.top(point.frame, lead, yaw, *point.curves);
-    const PostureValue posture{lead, yaw, bottom};
-    if (bottom <= top && builder.holds(point.frame, posture)) add(point, posture, top, stops);
+    if (const auto found = input_.builder->free(point.frame, lead, yaw, *point.curves, hints))
+        add(point, found->posture, found->top, stops);
 }
 
 } // namespace facetmill

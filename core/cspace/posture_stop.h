@@ -27,7 +27,7 @@ public:
     void add(const PassPoint& point, const PostureValue& posture, double top,
              std::vector<PostureStop>& stops) const;
     /// Appends those of a lead and a yaw, lifted as little as cuts nothing; none where that is not free.
-    void add_free(const PassPoint& point, double lead, double yaw, ToolLift::Hint& hint,
+    void add_free(const PassPoint& point, double lead, double yaw, CSpaceBuilder::Hints& hints,
                   std::vector<PostureStop>& stops) const;
 
 private:

@@ -204,6 +204,10 @@ double ToolLift::lift(const ToolPose& pose) const {
     return lift(pose, none);
 }
 
+double ToolLift::lift_above(const ToolPose& pose, double depth, double enough, Hint& hint) const {
+    return search(pose, depth, enough, hint, nullptr);
+}
+
 ToolContact ToolLift::contact(const ToolPose& pose) const {
     Hint none;
     ToolContact contact;

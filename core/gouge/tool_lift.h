@@ -83,6 +83,8 @@ public:
     /// whose axis is no unit vector (tolerance::unit_axis).
     double lift(const ToolPose& pose) const;
     double lift(const ToolPose& pose, Hint& hint) const;
+    /// max(depth, lift(pose)), faster; where that is surely above `enough`, any number between the two.
+    double lift_above(const ToolPose& pose, double depth, double enough, Hint& hint) const;
     /// The same lift, and where it comes from.
     ToolContact contact(const ToolPose& pose) const;
     /// What stops the tool above `depth`: the lift is max(depth, lift(pose)); no body where nothing stops it

@@ -314,6 +314,7 @@ private slots:
             const ContactFrame& frame = contacts.frames[i];
             const CSpace space = builder.build(frame, contacts.curves[i]);
             ToolLift::Hint hint;
+            CSpaceBuilder::Hints hints;
             for (std::size_t il = 0; il < bench.grid.lead.size(); ++il)
                 for (std::size_t io = 0; io < bench.grid.yaw.size(); ++io) {
                     const std::size_t node = bench.grid.node(il, io);
@@ -325,6 +326,15 @@ private slots:
                     QCOMPARE(reason.top, space.top[node]);
                     QCOMPARE(int(reason.block), int(space.block[node]));
                     QCOMPARE(reason.contact.body == ToolBody::none, reason.bottom == 0);
+                    const auto free = builder.free(frame, lead, yaw, contacts.curves[i], hints);
+                    QCOMPARE(free.has_value(), reason.block == PostureBlock::free);
+                    if (free) {
+                        QCOMPARE(free->posture.delta, reason.bottom);
+                        QCOMPARE(free->top, reason.top);
+                    }
+                    const double enough = 0.3 * double(il % 4);
+                    const double known = builder.bottom(frame, lead, yaw, hint, enough);
+                    QVERIFY(known == reason.bottom || (known > enough && known <= reason.bottom));
                     seen.insert(reason.block);
                 }
         }
