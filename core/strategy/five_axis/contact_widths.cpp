@@ -51,19 +51,35 @@ ContactWidths::ContactWidths(const FiveAxisField& field, double leave) : field_(
 
 void ContactWidths::find(std::vector<EstimatedContact>& contacts, double gap,
                          const Progress& progress) const {
-    // Blocks have their own hints, so that threads make no difference.
     parallel_blocks(contacts.size(), contacts_per_block, progress, [&](std::size_t begin, std::size_t end) {
-        double lead = field_.settings().lead_limits[0];
-        ToolLift::Hint hint;
-        for (std::size_t i = begin; i < end; ++i) {
-            progress.check();
-            auto& c = contacts[i];
-            find(c, gap, lead, hint);
-            if (!c.usable) continue;
-            const double slope = std::abs(field_.across(c.place.frame.left));
-            c.left = c.width_lo + c.width_hi < leave_ * slope;
-        }
+        if (!contacts[begin].known)
+            find_block(std::span(contacts).subspan(begin, end - begin), gap, progress);
     });
+}
+
+std::span<const EstimatedContact> ContactWidths::find_about(std::vector<EstimatedContact>& contacts,
+                                                            std::size_t which, double gap,
+                                                            const Progress& progress) const {
+    const std::size_t begin = which / contacts_per_block * contacts_per_block;
+    const auto block =
+        std::span(contacts).subspan(begin, std::min(contacts_per_block, contacts.size() - begin));
+    find_block(block, gap, progress);
+    return block;
+}
+
+void ContactWidths::find_block(std::span<EstimatedContact> block, double gap,
+                               const Progress& progress) const {
+    // Blocks have their own hints, so that threads make no difference.
+    double lead = field_.settings().lead_limits[0];
+    ToolLift::Hint hint;
+    for (EstimatedContact& c : block) {
+        progress.check();
+        find(c, gap, lead, hint);
+        c.known = true;
+        if (!c.usable) continue;
+        const double slope = std::abs(field_.across(c.place.frame.left));
+        c.left = c.width_lo + c.width_hi < leave_ * slope;
+    }
 }
 
 void ContactWidths::find(EstimatedContact& contact, double gap, double& lead, ToolLift::Hint& hint) const {
@@ -118,10 +134,20 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
     const auto value = [&](const StripWidth::Width& lo, const StripWidth::Width& hi) {
         return std::min(lo.width, wanted) * std::min(hi.width, wanted);
     };
-    StripWidth::Width lo = width(contact.posture, -1), hi = width(contact.posture, +1);
+    const StripWidth::Standing upright = width.standing(contact.posture);
+    StripWidth::Width lo = width(upright, -1), hi = width(upright, +1);
     double most = value(lo, hi);
     const double enough = wanted * wanted;
     const double hollow = std::max(field_.hollowness(place, place.frame.feed), 0.0), r = field_.radius();
+    // A strip that makes the value larger is wider than this to both sides. First the one that was not.
+    int harder = -1;
+    const auto may_be_wider = [&](const StripWidth::Standing& at) {
+        if (!width.may_exceed(at, harder, most / wanted)) return false;
+        if (width.may_exceed(at, -harder, most / wanted)) return true;
+        harder = -harder;
+        return false;
+    };
+    const std::vector<double>& leads = field_.grid().lead;
     // Nodes of the grid: what is free there the choice of postures finds.
     for (const double yaw : yaws_) {
         if (most >= enough) break;
@@ -129,21 +155,37 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
         // hollow along the travel holds it with heel or toe only: what lies between them stays.
         const double aside = std::abs(std::sin(yaw));
         const double arched = 0.5 * hollow * r * r * aside * (2 - aside);
-        for (const double lead : field_.grid().lead) {
-            const PostureValue posture{lead, yaw, builder.bottom(place.frame, lead, yaw, hint)};
-            if (!(posture.delta <= yawed_share * field_.cusp())) continue;
-            if (builder.holds(place.frame, posture) && width.clears_own_line(posture)) {
-                const PostureValue arching{lead, yaw, posture.delta + arched};
-                const StripWidth::Width l = width(arching, -1), h = width(arching, +1);
-                if (value(l, h) > most) {
-                    most = value(l, h);
-                    contact.posture = posture;
-                    lo = l;
-                    hi = h;
+        const double liftable = yawed_share * field_.cusp();
+        const auto bottom = [&](std::size_t l) {
+            return builder.bottom(place.frame, leads[l], yaw, hint, liftable);
+        };
+        // Inclined further than one that need hardly be lifted its strip is narrower.
+        const double hardly = lifted_share * field_.cusp();
+        std::size_t asked = 0; // the leads below have to be lifted more
+        for (std::size_t l = 0; l < leads.size() && most < enough; ++l) {
+            // Lifted clear of the part it holds less still.
+            if (!may_be_wider(width.standing({leads[l], yaw, arched}))) continue;
+            while (asked < l && bottom(asked) > hardly)
+                ++asked;
+            if (asked < l) break;
+            const PostureValue posture{leads[l], yaw, bottom(asked++)};
+            const StripWidth::Standing at = width.standing({leads[l], yaw, posture.delta + arched});
+            if (posture.delta <= liftable && may_be_wider(at) && builder.holds(place.frame, posture)
+                && width.clears_own_line(posture)) {
+                std::array<StripWidth::Width, 2> to;
+                StripWidth::Width &first = to[harder > 0], &second = to[harder < 0];
+                first = width(at, harder);
+                if (width.may_exceed(at, -harder, most / std::min(first.width, wanted))) {
+                    second = width(at, -harder);
+                    if (value(first, second) > most) {
+                        most = value(first, second);
+                        contact.posture = posture;
+                        lo = to[0];
+                        hi = to[1];
+                    }
                 }
             }
-            // Inclined further its strip is narrower.
-            if (posture.delta <= lifted_share * field_.cusp() || most >= enough) break;
+            if (posture.delta <= hardly) break;
         }
     }
     // Strips end in planes of the lattice.

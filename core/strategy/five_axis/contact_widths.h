@@ -7,6 +7,7 @@
 
 #include "core/strategy/five_axis/five_axis_field.h"
 
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -14,6 +15,7 @@ namespace facetmill {
 struct EstimatedContact {
     ContactPlace place;
     PostureValue posture;
+    bool known = false;                ///< what follows was found
     bool usable = false;               ///< some posture stays within the tolerance
     bool left = false;                 ///< its strip is too narrow to be worth it: left to others
     double width_lo = 0, width_hi = 0; ///< towards smaller and larger v; +inf: the surface ends before
@@ -28,6 +30,9 @@ public:
     /// Contacts that are neighbours on a line: postures, widths, whether they are left. `gap`: how far away
     /// the neighbouring pass is, mm; strips that are wide enough for it need no yaw.
     void find(std::vector<EstimatedContact>& contacts, double gap, const Progress& progress) const;
+    /// Those about one of the contacts before all others, which `find` finds after that. Returns them.
+    std::span<const EstimatedContact> find_about(std::vector<EstimatedContact>& contacts, std::size_t which,
+                                                 double gap, const Progress& progress) const;
     /// One contact; the search begins at `lead`, which becomes the lead found. Says nothing of `left`.
     void find(EstimatedContact& contact, double gap, double& lead, ToolLift::Hint& hint) const;
 
@@ -35,6 +40,8 @@ public:
     bool yawed() const { return !yaws_.empty(); }
 
 private:
+    /// Contacts that one thread takes one after the other.
+    void find_block(std::span<EstimatedContact> block, double gap, const Progress& progress) const;
     void find_posture(EstimatedContact& contact, double& lead, ToolLift::Hint& hint) const;
     /// The widths of its posture; where they are not enough for a gap (mm), of the one that comes nearest to
     /// that.

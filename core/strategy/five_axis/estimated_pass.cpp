@@ -86,11 +86,20 @@ std::array<double, 2> PassEstimator::cleared(double u, int travel) const {
 
 EstimatedPass PassEstimator::estimate(long plane, int travel, double gap, const BinRange& within,
                                       const Progress& progress) const {
+    return *estimate(plane, travel, gap, within, Refusal(), progress);
+}
+
+std::optional<EstimatedPass> PassEstimator::estimate(long plane, int travel, double gap,
+                                                     const BinRange& within, const Refusal& refusal,
+                                                     const Progress& progress) const {
     EstimatedPass pass;
     pass.plane = plane;
     pass.v = field_.lines().v(plane);
     pass.travel = travel;
     cut_lines(pass, within);
+    if (refusal.lines && refusal.lines(pass)) return std::nullopt;
+    place_contacts(pass);
+    if (refusal.contact && is_refused(pass, gap, refusal, progress)) return std::nullopt;
     const std::vector<EstimatedContact> between = find_contacts(pass, gap, progress);
     // Postures with a yaw may be free at the last contact and not where the pass goes on.
     if (widths_.yawed()) answer_beyond_ends(pass, gap);
@@ -111,20 +120,44 @@ void PassEstimator::cut_lines(EstimatedPass& pass, const BinRange& within) const
     }
 }
 
+void PassEstimator::place_contacts(EstimatedPass& pass) const {
+    for (const SurfaceLine& line : pass.lines) {
+        auto& contacts = pass.contacts.emplace_back();
+        for (const double s : field_.samples(line))
+            contacts.push_back({.place = field_.place(line, s, pass.v, pass.travel)});
+    }
+}
+
+bool PassEstimator::is_refused(EstimatedPass& pass, double gap, const Refusal& refusal,
+                               const Progress& progress) const {
+    std::vector<EstimatedContact>* on = nullptr;
+    std::size_t which = 0;
+    double nearest = infinity;
+    for (auto& contacts : pass.contacts)
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+            if (const double away = std::abs(contacts[i].place.u - refusal.u); away < nearest) {
+                nearest = away;
+                on = &contacts;
+                which = i;
+            }
+    if (!on) return false;
+    const auto found = widths_.find_about(*on, which, gap, progress);
+    return std::any_of(found.begin(), found.end(), refusal.contact);
+}
+
 std::vector<EstimatedContact> PassEstimator::find_contacts(EstimatedPass& pass, double gap,
                                                            const Progress& progress) const {
     std::vector<EstimatedContact> between;
-    for (const SurfaceLine& line : pass.lines) {
-        auto& contacts = pass.contacts.emplace_back();
-        const std::vector<double> samples = field_.samples(line);
-        for (const double s : samples)
-            contacts.push_back({.place = field_.place(line, s, pass.v, pass.travel)});
+    for (std::size_t l = 0; l < pass.lines.size(); ++l) {
+        auto& contacts = pass.contacts[l];
         widths_.find(contacts, gap, progress);
         std::vector<EstimatedContact> middles;
-        for (std::size_t i = 1; i < samples.size(); ++i)
-            if (samples[i] - samples[i - 1] > far_apart_share * field_.radius())
+        for (std::size_t i = 1; i < contacts.size(); ++i) {
+            const double s0 = contacts[i - 1].place.s, s1 = contacts[i].place.s;
+            if (s1 - s0 > far_apart_share * field_.radius())
                 middles.push_back(
-                    {.place = field_.place(line, 0.5 * (samples[i] + samples[i - 1]), pass.v, pass.travel)});
+                    {.place = field_.place(pass.lines[l], 0.5 * (s1 + s0), pass.v, pass.travel)});
+        }
         widths_.find(middles, gap, progress);
         between.insert(between.end(), middles.begin(), middles.end());
     }
@@ -157,7 +190,7 @@ void PassEstimator::spread_over_bins(EstimatedPass& pass,
     pass.end_hi.assign(bins_.count(), 0);
     pass.comes.assign(bins_.count(), false);
     pass.unfree.assign(bins_.count(), false);
-    const double least = min_width_share * field_.radius(), most = StripWidth::max_width(field_);
+    const double least = least_width(), most = StripWidth::max_width(field_);
     const auto count = [&](const EstimatedContact& c, double beyond_lo, double beyond_hi) {
         const auto [from, to] = cleared(c.place.u, pass.travel);
         for (std::size_t b = bins_.at(from - beyond_lo); b <= bins_.at(to + beyond_hi); ++b) {

@@ -5,6 +5,9 @@
 #include "core/strategy/five_axis/contact_widths.h"
 
 #include <array>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace facetmill {
@@ -21,6 +24,8 @@ struct EstimatedPass {
     std::vector<double> end_lo, end_hi; ///< per bin, where the width is +inf: as far as is answered for
     std::vector<bool> comes;
     std::vector<bool> unfree; ///< per bin: some contact has no posture
+    /// Where along the travel a larger step asked for most in vain, while this one was sought.
+    double hardest_u = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Neighbouring bins of u; `beyond`: how far a partial pass goes on beyond them, mm.
@@ -55,19 +60,33 @@ public:
     EstimatedPass estimate(long plane, int travel, double gap, const BinRange& within,
                            const Progress& progress) const;
 
+    /// What tells of a pass, before all of it is known, that it is not wanted.
+    struct Refusal {
+        std::function<bool(const EstimatedPass&)> lines;      ///< by its lines, before its contacts
+        std::function<bool(const EstimatedContact&)> contact; ///< by one of the contacts about `u`
+        double u = 0;
+    };
+    /// The same pass; nothing where it is refused.
+    std::optional<EstimatedPass> estimate(long plane, int travel, double gap, const BinRange& within,
+                                          const Refusal& refusal, const Progress& progress) const;
+
     const TravelBins& bins() const { return bins_; }
     /// From and to which u a pose that touches at `u` reaches the borders of its strip: there its widths
     /// count.
     std::array<double, 2> cleared(double u, int travel) const;
     double behind() const { return behind_; } ///< how far behind its contact it does so at most, mm
+    double least_width() const { return 0.5 * smallest_; } ///< that a contact is taken to have to one side
     double smallest_step() const { return smallest_; }
     double largest_step() const { return largest_; }
 
 private:
     /// Lines of the pass's plane within some bins.
     void cut_lines(EstimatedPass& pass, const BinRange& within) const;
-    /// Contacts of all lines. Returns those half-way between contacts that are far apart: there the strip has
-    /// to be as wide.
+    void place_contacts(EstimatedPass& pass) const;
+    /// True where a contact about refusal.u, found before all others, refuses the pass.
+    bool is_refused(EstimatedPass& pass, double gap, const Refusal& refusal, const Progress& progress) const;
+    /// Finds the contacts of all lines. Returns those half-way between contacts that are far apart: there the
+    /// strip has to be as wide.
     std::vector<EstimatedContact> find_contacts(EstimatedPass& pass, double gap,
                                                 const Progress& progress) const;
     /// Takes down the widths at the ends of a pass to those it has where it goes on beyond them.

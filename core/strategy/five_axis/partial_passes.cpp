@@ -130,10 +130,14 @@ double PartialPasses::partial_count(const EstimatedPass& a, const EstimatedPass*
 
 double PartialPasses::travel_per_width(const EstimatedPass& last, const EstimatedPass& next,
                                        const BinRange& within) const {
-    double travelled = partial_travel(last, &next, within);
-    for (const SurfaceLine& line : next.lines)
+    return (own_travel(next) + partial_travel(last, &next, within)) / (next.v - last.v);
+}
+
+double PartialPasses::own_travel(const EstimatedPass& pass) const {
+    double travelled = 0;
+    for (const SurfaceLine& line : pass.lines)
         travelled += std::abs(line.points.back().u - line.points.front().u) + partial_cost * field_.radius();
-    return travelled / (next.v - last.v);
+    return travelled;
 }
 
 double PartialPasses::partial_travel(const EstimatedPass& a, const EstimatedPass* b,
@@ -180,10 +184,14 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
         best = std::move(p);
         return true;
     };
+    // Its own travel alone may be too much.
+    const PassEstimator::Refusal too_long{
+        [&](const EstimatedPass& p) { return !(own_travel(p) < least * (p.v - last.v)); }, nullptr};
     const auto tried = [&](double step) {
         const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
-        return better(
-            stepover_.passes().estimate(std::min(plane, end - 1), travel, step, within, progress.part(0, 0)));
+        auto p = stepover_.passes().estimate(std::min(plane, end - 1), travel, step, within, too_long,
+                                             progress.part(0, 0));
+        return p && better(std::move(*p));
     };
     const double most = std::max(std::min(largest_, rest), smallest_);
     const double start = std::clamp(usual, smallest_, most);

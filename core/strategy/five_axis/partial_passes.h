@@ -59,6 +59,8 @@ private:
     double partial_count(const EstimatedPass& a, const EstimatedPass* b, std::size_t bin) const;
     /// What the partial passes between two passes travel, mm.
     double partial_travel(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within) const;
+    /// What a pass travels itself, mm.
+    double own_travel(const EstimatedPass& pass) const;
     /// What a pass after `last` travels with the partial ones before it, mm for each mm of width.
     double travel_per_width(const EstimatedPass& last, const EstimatedPass& next,
                             const BinRange& within) const;

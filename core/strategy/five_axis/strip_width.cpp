@@ -1,5 +1,7 @@
 #include "core/strategy/five_axis/strip_width.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,8 @@ StripWidth::Look& StripWidth::look(int side, std::size_t number) {
         }
         Look next;
         next.v = lines.v(plane);
+        // Neighbouring lines are most likely touched in the same place.
+        if (!looks.empty()) next.hint = looks.back().hint;
         if (!field_.raised_line(place_, plane, next.line)) {
             next.ends = true;
             // Up to the very last plane that the surface has.
@@ -51,40 +55,59 @@ StripWidth::Look& StripWidth::look(int side, std::size_t number) {
     return looks[number];
 }
 
-StripWidth::Width StripWidth::operator()(const PostureValue& posture, int side) {
+StripWidth::Standing StripWidth::standing(const PostureValue& posture) const {
+    return {posture_pose(field_.cutter(), place_.frame, {posture.lead, posture.yaw, 0}), posture.lead,
+            posture.delta};
+}
+
+double StripWidth::margin(const Standing& at, Look& line, double enough) const {
+    return field_.builder().top(at.pose, at.lead, line.line, line.hint, enough) - at.delta;
+}
+
+StripWidth::Width StripWidth::operator()(const Standing& at, int side) {
     const double most = StripWidth::max_width(field_);
-    const ToolPose pose =
-        posture_pose(field_.builder().input().lift->cutter(), place_.frame, {posture.lead, posture.yaw, 0});
-    // Of lines that are cleared it is enough to know that they are, but for the last of them.
-    const auto margin_at = [&](Look& at, double enough) {
-        return field_.builder().top(pose, posture.lead, at.line, at.hint, enough) - posture.delta;
-    };
     double last_v = place_.v;
     for (std::size_t i = 0;; ++i) {
         // Beyond the last one that counts no line need be cut.
         if (std::abs(last_v - place_.v) > most) return {most, 0};
-        Look& at = look(side, i);
-        const double away = std::abs(at.v - place_.v);
-        if (!at.holds) return {infinity, away};
-        const double margin = margin_at(at, posture.delta);
-        if (!(margin >= 0)) {
+        Look& here = look(side, i);
+        const double away = std::abs(here.v - place_.v);
+        if (!here.holds) return {infinity, away};
+        // Of lines that are cleared it is enough to know that they are, but for the last of them.
+        const double left = margin(at, here, at.delta);
+        if (!(left >= 0)) {
             // The margin falls ever faster: the straight line between two looks is on the safe side.
-            const double last = i > 0 ? margin_at(look(side, i - 1), infinity) : infinity;
-            const double share = std::isfinite(last) && std::isfinite(margin) ? last / (last - margin) : 0;
-            return {used_width * std::abs(last_v + share * (at.v - last_v) - place_.v), at.ends ? away : 0};
+            const double last = i > 0 ? margin(at, look(side, i - 1), infinity) : infinity;
+            const double share = std::isfinite(last) && std::isfinite(left) ? last / (last - left) : 0;
+            return {used_width * std::abs(last_v + share * (here.v - last_v) - place_.v),
+                    here.ends ? away : 0};
         }
-        if (at.ends) return {infinity, away};
-        last_v = at.v;
+        if (here.ends) return {infinity, away};
+        last_v = here.v;
     }
 }
 
-bool StripWidth::clears_own_line(const PostureValue& posture) {
-    if (!own_known_) {
-        own_known_ = true;
-        RaisedCurve line;
-        if (field_.own_line(place_, line)) own_.push_back(std::move(line));
+bool StripWidth::may_exceed(const Standing& at, int side, double width) {
+    const double most = StripWidth::max_width(field_);
+    // The farthest line at which a strip that ends there is not wider.
+    std::size_t count = 0;
+    for (double last = 0; last <= most; ++count) {
+        const Look& next = look(side, count);
+        last = std::abs(next.v - place_.v);
+        if (used_width * last > width * (1 - tolerance::level_angle)) break;
+        if (!next.holds) return true;
+        if (next.ends) last = infinity; // counted, and the last one
     }
-    return field_.builder().top(place_.frame, posture.lead, posture.yaw, own_) >= posture.delta;
+    return count == 0 || margin(at, look(side, count - 1), at.delta) >= 0;
+}
+
+bool StripWidth::clears_own_line(const PostureValue& posture) {
+    if (!own_) {
+        own_.emplace();
+        own_->holds = field_.own_line(place_, own_->line);
+    }
+    const Standing at = standing(posture);
+    return !own_->holds || margin(at, *own_, at.delta) >= 0;
 }
 
 } // namespace facetmill

@@ -6,6 +6,7 @@
 #include "core/strategy/five_axis/five_axis_field.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace facetmill {
@@ -29,8 +30,17 @@ public:
         double width = 0; ///< mm across the drive planes; +inf: the surface ends before
         double end = 0;   ///< how far off it ends, where it does
     };
-    /// `side`: -1 towards smaller v, +1 towards larger. `posture` clear of the part.
-    Width operator()(const PostureValue& posture, int side);
+    /// A posture as its strips ask for it.
+    struct Standing {
+        ToolPose pose; ///< not lifted
+        double lead = 0, delta = 0;
+    };
+    Standing standing(const PostureValue& posture) const;
+    /// `side`: -1 towards smaller v, +1 towards larger. The posture clear of the part.
+    Width operator()(const Standing& at, int side);
+    Width operator()(const PostureValue& posture, int side) { return (*this)(standing(posture), side); }
+    /// False: that width is surely no larger than `width`. One line tells, where all up to it are there.
+    bool may_exceed(const Standing& at, int side, double width);
 
     /// Whether the posture comes close enough to the pass's own line to clear it.
     bool clears_own_line(const PostureValue& posture);
@@ -43,13 +53,15 @@ private:
         CurveLift::Hint hint; ///< where the posture before touched the line
     };
     Look& look(int side, std::size_t number);
+    /// How much farther a posture may be lifted until it holds no point of the line, mm; negative: it holds
+    /// none. The exact value where its lift is up to `enough` then.
+    double margin(const Standing& at, Look& line, double enough) const;
 
     const FiveAxisField& field_;
     const ContactPlace& place_;
     long look_;
     std::array<std::vector<Look>, 2> looks_;
-    std::vector<RaisedCurve> own_; ///< none or one, once asked for
-    bool own_known_ = false;
+    std::optional<Look> own_; ///< the place's own line, once asked for
 };
 
 } // namespace facetmill

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace facetmill {
 
@@ -50,6 +51,32 @@ bool TiltedStepOver::fits(const EstimatedPass* a, const EstimatedPass* b, const 
     return true;
 }
 
+double TiltedStepOver::missing(const EstimatedPass& last, double v, int travel,
+                               const EstimatedContact& contact, const BinRange& within) const {
+    if (!contact.usable || contact.left || !std::isfinite(contact.width_lo)) return -infinity;
+    const auto [from, to] = passes_.cleared(contact.place.u, travel);
+    // Other contacts can only make the strip narrower there (fits).
+    double gap = -infinity;
+    for (std::size_t i = std::max(bins().at(from), within.first); i <= std::min(bins().at(to), within.last);
+         ++i)
+        if (last.comes[i] && std::isfinite(last.width_hi[i]))
+            gap = std::max(gap, v - std::max(contact.width_lo, passes_.least_width())
+                                    - (last.v + last.width_hi[i]));
+    return gap;
+}
+
+double TiltedStepOver::hardest(const EstimatedPass& last, const EstimatedPass& pass,
+                               const BinRange& within) const {
+    double u = std::numeric_limits<double>::quiet_NaN(), most = 0;
+    for (const auto& contacts : pass.contacts)
+        for (const EstimatedContact& c : contacts)
+            if (const double gap = missing(last, pass.v, pass.travel, c, within); gap > most) {
+                most = gap;
+                u = c.place.u;
+            }
+    return u;
+}
+
 TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel, double usual,
                                           const EstimatedPass* limit, const BinRange& within,
                                           const Progress& progress) const {
@@ -60,31 +87,41 @@ TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel,
     const double smallest = passes_.smallest_step(), largest = passes_.largest_step();
     const long least = steps(last ? smallest : 0.5 * smallest);
     const long most = std::max(least, std::min(steps(last ? largest : 0.5 * largest), end - 1 - from));
-    const auto tried = [&](long step) {
+    double hard_u = last ? last->hardest_u : std::numeric_limits<double>::quiet_NaN();
+    const auto tried = [&](long step, bool refusable) {
         progress.check();
-        const double gap = double(step) * lines.spacing();
-        return passes_.estimate(from + step, travel, last ? gap : 2 * gap, within, progress.part(0, 0));
+        const double gap = double(step) * lines.spacing(), v = lines.v(from + step);
+        PassEstimator::Refusal refusal;
+        // Where one step asked for too much, a smaller one most likely does.
+        if (refusable && last && !std::isnan(hard_u))
+            refusal = {nullptr,
+                       [&](const EstimatedContact& c) { return missing(*last, v, travel, c, within) > 0; },
+                       hard_u};
+        return passes_.estimate(from + step, travel, last ? gap : 2 * gap, within, refusal,
+                                progress.part(0, 0));
     };
     long good = 0, bad = most + 1;
     EstimatedPass best;
     long step = std::clamp(steps(usual), least, most);
     while (true) {
-        EstimatedPass p = tried(step);
-        if (fits(last, &p, within)) {
+        std::optional<EstimatedPass> p = tried(step, true);
+        if (p && fits(last, &*p, within)) {
             good = step;
-            best = std::move(p);
+            best = std::move(*p);
             if (bad - good <= 1) break;
             // Not known to fail anywhere near: reach out.
             step = bad > most ? std::min(most, std::max(good + 1, good + good / 6)) : (good + bad) / 2;
         } else {
+            if (p && last) hard_u = hardest(*last, *p, within);
             bad = step;
             if (bad <= least) break;
             step = good > 0 ? (good + bad) / 2 : std::max(least, bad - std::max(1L, bad / 6));
         }
         if (good > 0 && double(bad - good) <= step_accuracy * double(good)) break;
     }
-    if (good > 0) return {std::move(best), true};
-    return {tried(least), false};
+    if (good == 0) best = *tried(least, false);
+    best.hardest_u = hard_u;
+    return {std::move(best), good > 0};
 }
 
 double TiltedStepOver::border(const EstimatedPass& a, const EstimatedPass& b, std::size_t i) const {

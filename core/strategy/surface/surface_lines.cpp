@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace facetmill {
 
@@ -147,20 +148,28 @@ bool SurfaceSlice::covers(double u0, double u1) const {
 bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reach, double raise,
                         std::vector<Vec3>& raised) const {
     raised.clear();
-    const auto first = std::lower_bound(by_u_.begin(), by_u_.end(), u - reach,
-                                        [](const Reference& r, double at) { return r.u < at; });
-    double least = reach * reach;
+    const auto middle = std::lower_bound(by_u_.begin(), by_u_.end(), u,
+                                         [](const Reference& r, double at) { return r.u < at; });
+    const double farthest = reach * reach;
+    double least = farthest, beside = reach;
     const Reference* nearest = nullptr;
-    for (auto r = first; r != by_u_.end() && r->u <= u + reach; ++r) {
-        const SlicePoint& place = chains_[r->chain][r->place];
+    // What is farther along the line than the nearest so far is farther; of two as near the first counts.
+    const auto is_beside = [&](const Reference& r) { return std::abs(r.u - u) <= beside; };
+    const auto look_at = [&](const Reference& r) {
+        const SlicePoint& place = chains_[r.chain][r.place];
         // The other side of a thin wall is not the surface that goes on here.
-        if (place.normal.dot(normal) <= 0) continue;
+        if (place.normal.dot(normal) <= 0) return;
         const double square = (place.point - p).squaredNorm();
-        if (square < least) {
+        if (square < least || (square == least && square < farthest && &r < nearest)) {
             least = square;
-            nearest = &*r;
+            nearest = &r;
+            beside = std::min(reach, std::sqrt(square) + tolerance::contact_distance);
         }
-    }
+    };
+    for (auto r = middle; r != by_u_.end() && is_beside(*r); ++r)
+        look_at(*r);
+    for (auto r = middle; r != by_u_.begin() && is_beside(*std::prev(r)); --r)
+        look_at(*std::prev(r));
     if (!nearest) return false;
     const Chain& places = chains_[nearest->chain];
     const auto within = [&](std::size_t i) {
@@ -172,6 +181,7 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
         --begin;
     while (end + 1 < places.size() && within(end))
         ++end;
+    raised.reserve(end + 1 - begin);
     for (std::size_t i = begin; i <= end; ++i)
         raised.push_back(places[i].point + raise * places[i].normal);
     return true;

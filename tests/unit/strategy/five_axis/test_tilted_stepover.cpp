@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -214,6 +215,51 @@ private slots:
         const EstimatedPass far = bench.pass(last.v + 1.35 * gap);
         QVERIFY(!bench.stepover->fits(&last, &far, bench.stepover->bins().all()));
         QVERIFY2(bench.left_between({&last, &far}, 0, last.v, far.v) > 0, qPrintable(QString::number(gap)));
+    }
+
+    /// One line tells that a width is no larger, and is right.
+    void what_a_width_cannot_exceed_it_does_not() {
+        const Bench bench([](double, double y) { return 1.2 * std::sin(0.35 * y); }, Vec2(8, 12),
+                          flat_tool(2 * radius), settings(0, 45));
+        int told = 0, wider = 0;
+        for (const auto& contacts : bench.pass(-1).contacts)
+            for (const EstimatedContact& c : contacts) {
+                StripWidth width(*bench.field, c.place);
+                for (const double lead : {0.0, 0.1, 0.4})
+                    for (const double yaw : {-0.5, 0.0, 0.5})
+                        for (const double most : {0.2, 0.9, 1.6, 2.5})
+                            for (const int side : {-1, 1}) {
+                                const auto at = width.standing({lead, yaw, 0.01});
+                                const bool may = width.may_exceed(at, side, most);
+                                const double is = width(at, side).width;
+                                QVERIFY2(may || is <= most,
+                                         qPrintable(QString("%1 of %2").arg(is).arg(most)));
+                                told += !may;
+                                wider += is > most;
+                            }
+            }
+        QVERIFY(told > 100 && wider > 100);
+    }
+
+    /// Where contacts are asked first saves time and nothing else.
+    void a_step_does_not_depend_on_where_it_is_asked_first() {
+        Finish5Settings s = settings(0, 45);
+        s.posture = Finish5Settings::PostureChoice::global;
+        s.yaw_limits = {radians(-15), radians(15)};
+        const Bench bench(
+            [](double x, double y) { return std::sin(0.35 * y) * (x > 2 ? 1.5 : 0.6 + 0.1 * x); },
+            Vec2(10, 12), flat_tool(2 * radius), s);
+        EstimatedPass last = bench.pass(-3);
+        last.hardest_u = std::numeric_limits<double>::quiet_NaN();
+        const auto step = bench.stepover->next(&last, 1, 3.0, Progress());
+        QVERIFY(step.satisfied && !std::isnan(step.pass.hardest_u));
+        for (const double u : {-9.0, 0.0, 4.0, step.pass.hardest_u}) {
+            last.hardest_u = u;
+            const auto same = bench.stepover->next(&last, 1, 3.0, Progress());
+            QCOMPARE(same.pass.plane, step.pass.plane);
+            QCOMPARE(same.pass.width_lo, step.pass.width_lo);
+            QCOMPARE(same.pass.width_hi, step.pass.width_hi);
+        }
     }
 
     /// Each strip ends within the width that its pass has to that side.
