@@ -35,7 +35,8 @@ bool has_free_node(const CSpace& space) {
 /// Where a strip is wider than was estimated, what lies under the pass itself need not stay.
 void narrow_strip(const FiveAxisField& field, ContactPlace& place, std::vector<RaisedCurve>& curves,
                   CSpace& space, char& narrowed, const Progress& progress) {
-    if (place.kept || has_free_node(space) || place.v_lo == place.v_hi) return;
+    // A posture kept by hand that is free here is taken; one that is not changes nothing.
+    if (has_free_node(space) || place.v_lo == place.v_hi || kept_posture(field, place, curves)) return;
     for (const double share : strip_shares) {
         ContactPlace narrow = place;
         narrow.v_lo = place.v + share * (place.v_lo - place.v);
