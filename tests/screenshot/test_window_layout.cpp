@@ -47,11 +47,7 @@ class TestWindowLayout : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
     void init() { QSettings().clear(); }
-    void cleanup() {
-        if (window_) w().set_theme(ui::Theme::system);
-        close_window();
-        ui::speak(QStringLiteral("en"));
-    }
+    void cleanup() { leave_as_found(); }
     void cleanupTestCase() { QSettings().clear(); }
 
     void all_can_be_read_data() {

@@ -17,11 +17,7 @@ class TestWindowPictures : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
     void init() { QSettings().clear(); }
-    void cleanup() {
-        if (window_) w().set_theme(ui::Theme::system);
-        close_window();
-        ui::speak(QStringLiteral("en"));
-    }
+    void cleanup() { leave_as_found(); }
     void cleanupTestCase() { QSettings().clear(); }
 
     void every_page_data() {

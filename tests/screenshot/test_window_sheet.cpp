@@ -71,10 +71,7 @@ class TestWindowSheet : public QObject, private WindowFixture {
 
 private slots:
     void init() { QVERIFY(show_window()); }
-    void cleanup() {
-        close_window();
-        ui::speak(QStringLiteral("en"));
-    }
+    void cleanup() { leave_as_found(); }
 
     void nothing_is_left_in_english() {
         QVERIFY(judge());

@@ -79,11 +79,7 @@ private slots:
         QVERIFY(w().files().save_to(folder_ + QStringLiteral("/job.facetmill")));
         QVERIFY(settled());
     }
-    void cleanup() {
-        w().set_theme(ui::Theme::system);
-        close_window();
-        ui::speak(QStringLiteral("en"));
-    }
+    void cleanup() { leave_as_found(); }
 
     /// From the question to the project, by mouse and keys.
     void a_study_is_asked_run_looked_at_and_adopted() {

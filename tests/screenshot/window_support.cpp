@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample.h"
+#include "ui/language.h"
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
@@ -185,6 +186,12 @@ bool WindowFixture::show_window() {
     window_->resize(1280, 800);
     window_->show();
     return activate(*window_);
+}
+
+void WindowFixture::leave_as_found() {
+    if (window_) w().set_theme(ui::Theme::system);
+    close_window();
+    ui::speak(QStringLiteral("en"));
 }
 
 bool WindowFixture::open_part() {

@@ -74,6 +74,8 @@ class WindowFixture {
 public:
     bool show_window();
     void close_window() { window_.reset(); }
+    /// Closes it, in the palette and the language that the next test begins with.
+    void leave_as_found();
     ui::MainWindow& w() { return *window_; }
     /// A coarse part with the default operation, in inches.
     bool open_part();
