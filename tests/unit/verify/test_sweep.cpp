@@ -196,7 +196,7 @@ private slots:
         std::mt19937 random(unsigned(200 + kind));
         std::normal_distribution<double> normal;
         int hit = 0, lines = 0, left_out = 0;
-        for (int n = 0; n < trials(400); ++n) {
+        for (int n = 0; n < 400; ++n) { // quick enough under a sanitizer
             const Case k = random_case(kind, n, random);
             const TurnedBody body(k.profile);
             const SweepRays swept(body, k.move, k.u);
@@ -252,7 +252,7 @@ private slots:
         QVERIFY(hit > lines / 5);
         // Where hardly more than the ends is met, the outline tells nothing.
         const bool has_outline = kind != 3 && kind != 4 && kind != 7;
-        QVERIFY2(!has_outline || left_out > 0, qPrintable(QString::number(left_out)));
+        QVERIFY2(!has_outline || left_out > 5, qPrintable(QString::number(left_out)));
     }
 
     void lines_through_a_point_are_not_lost() {
