@@ -141,22 +141,27 @@ double CuspField::run_entry(const DriveLine& line, const std::vector<LinePoint>&
         ends = {};
         here = std::min(here, piece_entry(line, run, k, p, n, ends));
     }
-    // Neighbours share an end.
+    // Neighbours share an end. Before a line falls off a wall it may go a little way level, and away from the
+    // wall: short pieces that bring nothing do not end the search.
+    const double short_piece = cusp_detail(in_.cusp);
+    const auto is_short = [&](std::size_t i) { return (point(i + 1) - point(i)).norm() <= short_piece; };
     const double first_b = ends.b;
     for (std::size_t left = k; left > 0; --left) {
-        if (rises(point(left), point(left - 1), p, n, ends.a)) break;
+        const bool goes_on = is_short(left - 1);
+        if (!goes_on && rises(point(left), point(left - 1), p, n, ends.a)) break;
         ends = {std::numeric_limits<double>::quiet_NaN(), ends.a};
         const double t = piece_entry(line, run, left - 1, p, n, ends);
-        if (!(t < here)) break;
-        here = t;
+        if (!(t < here) && !goes_on) break;
+        here = std::min(here, t);
     }
     ends.b = first_b;
     for (std::size_t right = k; right < last; ++right) {
-        if (rises(point(right + 1), point(right + 2), p, n, ends.b)) break;
+        const bool goes_on = is_short(right + 1);
+        if (!goes_on && rises(point(right + 1), point(right + 2), p, n, ends.b)) break;
         ends = {ends.b, std::numeric_limits<double>::quiet_NaN()};
         const double t = piece_entry(line, run, right + 1, p, n, ends);
-        if (!(t < here)) break;
-        here = t;
+        if (!(t < here) && !goes_on) break;
+        here = std::min(here, t);
     }
     return here;
 }

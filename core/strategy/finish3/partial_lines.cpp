@@ -55,7 +55,8 @@ void PartialLines::fill(const DriveLine& a, const DriveLine& b, const Interval& 
         cusp_max_ = std::max(cusp_max_, step.cusp);
         if (!step.satisfied) ++unsatisfied_;
         if (!(step.line.v < b.v)) break;
-        guess = step.line.v - last.v;
+        // Beside a place that no step serves the others still take theirs.
+        if (step.satisfied) guess = step.line.v - last.v;
         ends_at(step.line.v);
         const DriveLine before = std::exchange(last, std::move(step.line));
         for (const Interval& r : step.left)

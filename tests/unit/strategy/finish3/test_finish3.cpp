@@ -229,6 +229,35 @@ private slots:
         QVERIFY(planned(m, s).drive_planes > 1.3 * adaptive.drive_planes);
     }
 
+    /// A block on a plate, with upright walls across the passes and along them: no line of the plan is closer
+    /// to the next for them, and nothing is passed more often than the step over the plate asks for.
+    void upright_walls_thin_no_passes_data() {
+        QTest::addColumn<double>("high");
+        QTest::newRow("no higher than the ball's radius") << 2.5;
+        QTest::newRow("higher") << 9.5;
+    }
+    void upright_walls_thin_no_passes() {
+        QFETCH(double, high);
+        const Vec3 half(25, 20, 5);
+        Mesh part = box(-half, Vec3(half.x(), half.y(), 0));
+        const Mesh block = box(Vec3(-10, -7, -1), Vec3(12, 8, high));
+        const auto first = Index(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), block.vertices.begin(), block.vertices.end());
+        for (const auto& f : block.facets)
+            part.facets.push_back({first + f[0], first + f[1], first + f[2]});
+        Finish3Settings s;
+        s.direction = {0, "x"};
+        const StrategyResult r = planned(part, s);
+        double length = 0;
+        for (const Pass& p : r.passes)
+            for (std::size_t i = 1; i < p.cl.size(); ++i)
+                length += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+        const double level = 2 * std::sqrt(2 * 3 * s.tolerance - s.tolerance * s.tolerance),
+                     once = (2 * half.x() + 2 * high) * 2 * half.y() / level;
+        QVERIFY2(length < 1.25 * once, qPrintable(QString("%1 of %2").arg(length).arg(once)));
+        QVERIFY2(r.cusp_max <= s.tolerance, qPrintable(QString::number(r.cusp_max)));
+    }
+
     void contacts_are_on_the_part_and_normals_turn_slowly() {
         const Mesh m = height_field([](double x, double y) { return std::sqrt(900 - x * x - y * y); },
                                     Vec2(-15, -10), Vec2(15, 10), 60, 40);
