@@ -66,19 +66,48 @@ void ProgramExport::ask_folder(std::optional<std::size_t> only) {
     dialog->open();
 }
 
+namespace {
+
+struct DoubtWords {
+    QString question, advice;
+    QString verify; ///< what a button to verify first says; empty where that would tell nothing new
+};
+
+DoubtWords words_of_doubt(Verdict verdict) {
+    using P = ProgramExport;
+    switch (verdict) {
+    case Verdict::failed:
+        return {P::tr("Export programs that failed?"),
+                P::tr("Running these programs can damage part, tool and machine."),
+                {}};
+    case Verdict::not_judged:
+        return {P::tr("Export programs that cannot be judged?"),
+                P::tr("Nobody knows what these programs leave of part, tool and machine."),
+                {}};
+    case Verdict::stale:
+        return {P::tr("Export programs that were verified as they no longer are?"),
+                P::tr("Verify again (F6), or export programs that nobody has checked since."),
+                P::tr("Verify again")};
+    case Verdict::verified:
+        return {P::tr("Export programs of which only some are verified?"),
+                P::tr("Verify all of them (F6), or export some that nobody has checked."), P::tr("Verify")};
+    case Verdict::none:
+        break;
+    }
+    return {P::tr("Export unverified programs?"),
+            P::tr("Verify first (F6), or export programs that nobody has checked."), P::tr("Verify")};
+}
+
+} // namespace
+
 bool ProgramExport::may_export() {
     const QString doubt = verification_.doubt();
     if (doubt.isEmpty()) return true;
-    const Verdict verdict = verification_.model().verdict();
-    QMessageBox box(QMessageBox::Warning,
-                    verdict == Verdict::failed ? tr("Export programs that failed?")
-                                               : tr("Export unverified programs?"),
-                    doubt, QMessageBox::Cancel, window_);
-    box.setInformativeText(verdict == Verdict::failed
-                               ? tr("Running these programs can damage part, tool and machine.")
-                               : tr("Verify first (F6), or export programs that nobody has checked."));
+    const DoubtWords words = words_of_doubt(verification_.model().verdict());
+    QMessageBox box(QMessageBox::Warning, words.question, doubt, QMessageBox::Cancel, window_);
+    box.setInformativeText(words.advice);
     QPushButton* verify_first =
-        verdict == Verdict::failed ? nullptr : box.addButton(tr("Verify"), QMessageBox::AcceptRole);
+        words.verify.isEmpty() ? nullptr : box.addButton(words.verify, QMessageBox::AcceptRole);
     const QAbstractButton* go_on = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
     if (verify_first)
         box.setDefaultButton(verify_first);

@@ -81,6 +81,23 @@ class TestWindowVerify : public QObject, public WindowFixture {
                  Document::fingerprint(d.project(), 0)}});
     }
 
+    /// What is asked before programs are exported: title and buttons, by name. Cancelled.
+    QStringList asked_at_export() {
+        QString title;
+        QStringList buttons;
+        QTimer::singleShot(50, qApp, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            title = box->windowTitle();
+            for (const QAbstractButton* b : box->buttons())
+                buttons << b->text().remove(QChar('&'));
+            box->reject();
+        });
+        action(w(), "export")->trigger();
+        buttons.sort();
+        return QStringList{title} + buttons;
+    }
+
 private slots:
     void init() { QVERIFY(show_window()); }
     void cleanup() { close_window(); }
@@ -153,20 +170,8 @@ private slots:
         QVERIFY(controller().doubt().contains(QStringLiteral("failed")));
 
         // What failed is not called unverified, and to verify it again is not offered.
-        QString title;
-        QStringList buttons;
-        QTimer::singleShot(50, qApp, [&] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            title = box->windowTitle();
-            for (const QAbstractButton* b : box->buttons())
-                buttons << b->text().remove(QChar('&'));
-            box->reject();
-        });
-        action(w(), "export")->trigger();
-        QCOMPARE(title, QStringLiteral("Export programs that failed?"));
-        QVERIFY(buttons.contains(QStringLiteral("Export anyway"))
-                && !buttons.contains(QStringLiteral("Verify")));
+        QCOMPARE(asked_at_export(), (QStringList{QStringLiteral("Export programs that failed?"),
+                                                 QStringLiteral("Cancel"), QStringLiteral("Export anyway")}));
 
         // The deepest one leads to its place and to the motion that made it.
         auto* list = controller().panel()->findings();
@@ -453,6 +458,31 @@ private slots:
         w().layers().set_shown(ViewLayer::stock, false);
         shot(w(), QStringLiteral("verify-small-dark"));
         w().set_theme(Theme::light);
+    }
+
+    /// Each verdict has a question of its own; verifying is offered where it would tell something new.
+    void export_is_doubted_in_words_of_the_verdict() {
+        const QString cancel = QStringLiteral("Cancel"), anyway = QStringLiteral("Export anyway");
+        QVERIFY(open_and_plan());
+        QCOMPARE(asked_at_export(), (QStringList{QStringLiteral("Export unverified programs?"), cancel,
+                                                 anyway, QStringLiteral("Verify")}));
+        QVERIFY(verify());
+        auto outcome = std::make_shared<VerificationOutcome>(controller().model().outcome());
+        auto unclear = std::make_shared<facetmill::Verification>(*outcome->verification);
+        unclear->not_judged = "too little of the part is seen";
+        outcome->verification = unclear;
+        controller().model().take(outcome);
+        QCOMPARE(controller().model().verdict(), ui::Verdict::not_judged);
+        QCOMPARE(asked_at_export(),
+                 (QStringList{QStringLiteral("Export programs that cannot be judged?"), cancel, anyway}));
+        w().tree().select({operation_kind, 0});
+        enter(w(), "feed", QStringLiteral("31"));
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(controller().model().verdict(), ui::Verdict::stale);
+        QCOMPARE(asked_at_export(),
+                 (QStringList{QStringLiteral("Export programs that were verified as they no longer are?"),
+                              cancel, anyway, QStringLiteral("Verify again")}));
     }
 
     void export_is_doubted() {
