@@ -31,7 +31,10 @@ struct Scene::Impl {
     void update_frame();       ///< before every frame
     void set_clipping_range(); ///< from what is visible
     ShownSurface surface() const;
-    bool shows_content() const;
+    bool shows_content() const; ///< there is something, seen or not
+    Box3 seen_box() const;      ///< of what is visible of part, stock and paths
+    /// Nothing of it is seen: it is not there, or switched off.
+    bool looks_empty() const;
     std::vector<LegendEntry> legend() const;
     std::vector<ColorBar> color_bars() const; ///< for what is shown, the one to be kept first
     OverlayContent overlay_content();
@@ -182,6 +185,20 @@ bool Scene::Impl::shows_content() const {
            || stock.has_uncut() || !paths.empty();
 }
 
+Box3 Scene::Impl::seen_box() const {
+    Box3 box;
+    for (const SceneLayer* layer : layers)
+        layer->add_bounds(box);
+    return box;
+}
+
+bool Scene::Impl::looks_empty() const {
+    if (!shows_content()) return true;
+    const SceneLayer& of_strips = strips;
+    return seen_box().empty() && !(of_strips.has(Layer::strips) && stage.on(Layer::strips))
+           && tool.bounds().empty();
+}
+
 std::vector<LegendEntry> Scene::Impl::legend() const {
     std::vector<LegendEntry> all;
     for (const SceneLayer* layer : layers)
@@ -208,7 +225,7 @@ OverlayContent Scene::Impl::overlay_content() {
         content.title = title;
         content.subtitle = subtitle;
     }
-    if (!shows_content()) content.empty_text = empty_text;
+    if (looks_empty()) content.empty_text = empty_text;
     if (stage.on(Layer::legend)) {
         content.legend = legend();
         content.color_bars = color_bars();
@@ -438,7 +455,7 @@ void Scene::set_empty_text(const std::string& text) {
     impl_->empty_text = printable(text, 1000);
 }
 std::string Scene::shown_empty_text() const {
-    return impl_->shows_content() ? std::string() : impl_->empty_text;
+    return impl_->looks_empty() ? impl_->empty_text : std::string();
 }
 
 void Scene::set_visible(Layer layer, bool on) {
@@ -465,9 +482,7 @@ bool Scene::has(Layer layer) const {
 }
 
 Box3 Scene::bounds(bool with_tool) const {
-    Box3 box;
-    for (const SceneLayer* layer : impl_->layers)
-        layer->add_bounds(box);
+    Box3 box = impl_->seen_box();
     if (with_tool) box.add(impl_->tool.bounds());
     return box;
 }

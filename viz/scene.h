@@ -119,7 +119,7 @@ public:
     /// Top left; both lines are shortened in the middle to the width of the window. Bytes that are not UTF-8
     /// and control characters are replaced.
     void set_title(const std::string& title, const std::string& subtitle = {});
-    /// Shown in the middle while there is no part, stock or path.
+    /// Shown in the middle while no part, stock or path is seen.
     void set_empty_text(const std::string& text);
     /// What stands in the middle now; empty where there is something to see.
     std::string shown_empty_text() const;

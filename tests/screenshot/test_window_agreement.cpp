@@ -4,6 +4,7 @@
 #include "tests/screenshot/window_support.h"
 #include "tests/support/part_meshes.h"
 #include "ui/cspace_controller.h"
+#include "ui/layer_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
@@ -108,6 +109,22 @@ private slots:
         said.erase("");
         QVERIFY2(said.size() == 1 && *said.begin() == "Reading big.stl\u2026",
                  said.empty() ? "" : said.rbegin()->c_str());
+    }
+
+    /// All that there is can be switched off: then the view says so, and is not just empty.
+    void a_view_that_is_switched_off_says_so() {
+        QVERIFY(open_and_plan());
+        const Scene& scene = w().viewport().scene();
+        QVERIFY(scene.shown_empty_text().empty());
+        w().layers().set_shown_set({});
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(scene.shown_empty_text(), std::string("All of it is switched off below the view"));
+        shot(w(), QStringLiteral("agreement-switched-off"));
+        for (const ui::ViewLayer one : {ui::ViewLayer::part, ui::ViewLayer::cuts, ui::ViewLayer::stock}) {
+            w().layers().set_shown_set({one});
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY(scene.shown_empty_text().empty());
+        }
     }
 
     void playback_goes_on_from_where_the_tool_was_put() {
