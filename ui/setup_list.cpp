@@ -1,12 +1,23 @@
 #include "ui/setup_list.h"
 
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 
 namespace facetmill::ui {
 
 namespace {
+
+/// "Setup 2" in the language of the window: from then on it is the user's.
+std::string spoken_setup_name(std::size_t place) {
+    return utf8(worded(usual_setup_name(place)));
+}
+
+/// The only setup of a project has its first name, which nobody sees until there is another one.
+void speak_only_name(std::vector<Setup>& setups) {
+    if (setups.size() == 1 && setups[0].name == usual_setup_name(0)) setups[0].name = spoken_setup_name(0);
+}
 
 /// Behind those of all setups, so that no program is written over another one on a control that numbers them.
 long free_program_number(const Project& project) {
@@ -32,7 +43,7 @@ void add_setup(Document& document, NewSetup how) {
     if (!document.part_is_current()) return;
     const std::size_t at = chosen_setup(project) + 1;
     Setup setup;
-    setup.name = free_setup_name(project, usual_setup_name(setup_count(project)));
+    setup.name = free_setup_name(project, spoken_setup_name(setup_count(project)));
     setup.machine = project.machine;
     setup.programs = project.programs;
     setup.stock.kind = StockSpec::Kind::rest;
@@ -43,6 +54,7 @@ void add_setup(Document& document, NewSetup how) {
         setup.place = place_of(flip_about(how == NewSetup::flipped_about_x ? 0 : 1, document.part()->box)
                                    .after(frame_of(project.place)));
     document.change_setups(Document::tr("Add setup"), at, [&](auto& setups, auto& ids) {
+        speak_only_name(setups);
         setups.insert(setups.begin() + std::ptrdiff_t(at), std::move(setup));
         ids.insert(ids.begin() + std::ptrdiff_t(at), std::vector<int>());
     });
@@ -51,7 +63,8 @@ void add_setup(Document& document, NewSetup how) {
 void duplicate_setup(Document& document, std::size_t i) {
     const Project& project = document.project();
     Setup copy = setup_at(project, i);
-    copy.name = free_setup_name(project, copy.name);
+    const bool unnamed = setup_count(project) == 1 && copy.name == usual_setup_name(0);
+    copy.name = unnamed ? spoken_setup_name(1) : free_setup_name(project, copy.name);
     copy.programs.number = free_program_number(project);
     std::vector<int> own;
     Project named = project; // takes the new names one by one
@@ -61,6 +74,7 @@ void duplicate_setup(Document& document, std::size_t i) {
         own.push_back(document.new_id());
     }
     document.change_setups(Document::tr("Duplicate setup"), i + 1, [&](auto& setups, auto& ids) {
+        speak_only_name(setups);
         setups.insert(setups.begin() + std::ptrdiff_t(i) + 1, std::move(copy));
         ids.insert(ids.begin() + std::ptrdiff_t(i) + 1, std::move(own));
     });

@@ -108,12 +108,27 @@ QString with_places(const QString& translation, const QStringList& filled) {
 
 std::optional<QString> sentence_of(const QString& message, int depth);
 
+/// Letters of a message that are the catalogue's; 0 where it does not know it.
+qsizetype known_letters(const QString& message) {
+    if (in_catalogue(message) != message)
+        return std::count_if(message.begin(), message.end(), [](QChar c) { return c.isLetter(); });
+    QStringList filled;
+    const MessageTemplate* found = template_of(message, filled);
+    return found ? found->letters : 0;
+}
+
 /// What fills a place: a message itself, some of them, or a value.
 QString place_said(const QString& filled, int depth) {
-    if (auto message = sentence_of(filled, depth)) return *message;
     static const QString mark = QStringLiteral("; ");
-    if (!filled.contains(mark)) return in_user_numbers(filled);
     QStringList parts = filled.split(mark);
+    // A list of messages says more by its items than as the one that its end alone would fit.
+    qsizetype known = 0;
+    for (const QString& part : parts)
+        known += known_letters(part);
+    if (parts.size() < 2 || known <= known_letters(filled)) {
+        if (auto message = sentence_of(filled, depth)) return *message;
+        if (parts.size() < 2) return in_user_numbers(filled);
+    }
     for (QString& part : parts)
         part = place_said(part, depth + 1);
     return parts.join(mark);
@@ -149,15 +164,6 @@ qsizetype last_bracket(const QString& line) {
         if (line[i] == QLatin1Char('(') && --open == 0) return line[i - 1] == QLatin1Char(' ') ? i : -1;
     }
     return -1;
-}
-
-/// Letters of a message that are the catalogue's; 0 where it does not know it.
-qsizetype known_letters(const QString& message) {
-    if (in_catalogue(message) != message)
-        return std::count_if(message.begin(), message.end(), [](QChar c) { return c.isLetter(); });
-    QStringList filled;
-    const MessageTemplate* found = template_of(message, filled);
-    return found ? found->letters : 0;
 }
 
 /// "where: what (what to do)".

@@ -11,6 +11,7 @@
 #include "ui/project_tree.h"
 #include "ui/rough_controller.h"
 #include "ui/settings.h"
+#include "ui/setup_list.h"
 #include "ui/text.h"
 #include "ui/value_words.h"
 #include "ui/worded.h"
@@ -146,6 +147,16 @@ private slots:
         QCOMPARE(ui::worded(e), line);
         QCOMPARE(ui::worded(QString::fromUtf8(e.what())), line); // the same once it is one text
         QCOMPARE(ui::worded("nobody has written this"), QStringLiteral("nobody has written this"));
+        // Each of a list, however long it is and whatever stands before and behind it.
+        const QString place = QStringLiteral("the machine cannot incline the tool like this");
+        QStringList motions;
+        for (int i = 4; i < 12; ++i)
+            motions << QStringLiteral("motion %1: %2").arg(i).arg(place);
+        const QString listed = ui::worded(QStringLiteral("machine 'generic-3-axis' does not hold 70 of 80 "
+                                                         "motions as planned: %1; and 62 more")
+                                              .arg(motions.join(QStringLiteral("; "))));
+        QVERIFY2(!listed.contains(QStringLiteral("motion")) && !listed.contains(QStringLiteral("machine")),
+                 qPrintable(listed));
         ui::speak(QStringLiteral("en"));
         QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
     }
@@ -199,6 +210,22 @@ private slots:
         QFile saved(file);
         QVERIFY(saved.open(QIODevice::ReadOnly));
         QVERIFY(saved.readAll().contains("0.0125"));
+    }
+
+    /// What the program calls a setup is said in the user's language, the first one's as well.
+    void setups_have_names_of_the_language() {
+        ui::speak(QStringLiteral("de"));
+        QVERIFY(show_window() && open_part());
+        ui::add_setup(w().document(), ui::NewSetup::flipped_about_x);
+        const Project& project = w().document().project();
+        QCOMPARE(setup_count(project), std::size_t(2));
+        QCOMPARE(setup_at(project, 0).name, std::string("Aufspannung 1"));
+        QCOMPARE(setup_at(project, 1).name, std::string("Aufspannung 2"));
+        w().document().undo_stack().undo();
+        QCOMPARE(project.name, usual_setup_name(0));
+        ui::duplicate_setup(w().document(), 0);
+        QCOMPARE(setup_at(project, 0).name, std::string("Aufspannung 1"));
+        QCOMPARE(setup_at(project, 1).name, std::string("Aufspannung 2"));
     }
 
     void mnemonics_are_their_own_in_every_menu_data() { each_described_text_is_known_data(); }
