@@ -133,7 +133,7 @@ void MainWindow::build_parts() {
                                *properties_, verification(), this);
     files_ = std::make_unique<ProjectFiles>(document_, planner_, job_, *messages_, controllers_->part(),
                                             *properties_, *tree_, this);
-    templates_ = new Templates(document_, *messages_, user_template_folder(), this);
+    templates_ = new Templates(document_, *messages_, this);
     exports_ = new ProgramExport(document_, job_, *messages_, *properties_, *viewport_, verification(), this);
 
     auto* column = new QVBoxLayout(center);

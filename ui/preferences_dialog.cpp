@@ -1,16 +1,22 @@
 #include "ui/preferences_dialog.h"
 
-#include "core/tools/library_file.h"
 #include "ui/language.h"
+#include "ui/own_folders.h"
 #include "ui/text.h"
+#include "ui/theme.h"
 #include "ui/usual_project_box.h"
 
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QUrl>
@@ -50,10 +56,10 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     column->addWidget(make_new_projects());
     column->addWidget(make_work());
     column->addStretch(1);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    connect(buttons, &QDialogButtonBox::accepted, this, &PreferencesDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    column->addWidget(buttons);
+    buttons_box_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons_box_, &QDialogButtonBox::accepted, this, &PreferencesDialog::accept);
+    connect(buttons_box_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    column->addWidget(buttons_box_);
     resize(440, sizeHint().height());
 }
 
@@ -132,17 +138,65 @@ QGroupBox* PreferencesDialog::make_work() {
     threads_->setSpecialValueText(tr("all"));
     threads_->setValue(settings::threads());
     form->addRow(tr("T&hreads"), threads_);
-    const auto own = user_library_folder().parent_path();
-    auto* folder = new QPushButton(tr("Show"), group);
-    folder->setToolTip(path_text(own));
-    folder->setAutoDefault(false);
-    connect(folder, &QPushButton::clicked, this, [own] {
-        std::error_code failed;
-        std::filesystem::create_directories(own, failed);
-        QDesktopServices::openUrl(QUrl::fromLocalFile(path_text(own)));
-    });
-    form->addRow(tr("Folder of libraries and templates"), folder);
+    add_folder(*form);
     return group;
+}
+
+void PreferencesDialog::add_folder(QFormLayout& form) {
+    folder_ = new QLineEdit(settings::own_folder(), this);
+    folder_->setObjectName(QStringLiteral("own_folder"));
+    folder_->setPlaceholderText(path_text(usual_own_folder()));
+    folder_->setToolTip(tr("Tools and templates are kept here; those of another folder stay there. Empty: %1")
+                            .arg(path_text(usual_own_folder())));
+    form.addRow(tr("L&ibraries and templates in"), folder_);
+    auto* row = new QHBoxLayout;
+    const auto add = [&](const QString& label, const char* name) {
+        auto* button = new QPushButton(label, this);
+        button->setObjectName(QLatin1String(name));
+        button->setAutoDefault(false);
+        row->addWidget(button);
+        return button;
+    };
+    auto* browse = add(tr("&Browse…"), "browse_folder");
+    connect(browse, &QPushButton::clicked, this, [this] {
+        const QString found =
+            QFileDialog::getExistingDirectory(this, tr("Keep libraries and templates in"), shown_folder());
+        if (!found.isEmpty()) folder_->setText(QDir::toNativeSeparators(found));
+    });
+    auto* show = add(tr("Show"), "show_folder");
+    connect(show, &QPushButton::clicked, this, [this] {
+        QDir().mkpath(shown_folder());
+        QDesktopServices::openUrl(QUrl::fromLocalFile(shown_folder()));
+    });
+    row->addStretch(1);
+    form.addRow(QString(), row);
+    trouble_ = new QLabel(this);
+    trouble_->setObjectName(QStringLiteral("folder_trouble"));
+    trouble_->setWordWrap(true);
+    QPalette alarm = trouble_->palette();
+    alarm.setColor(QPalette::WindowText, signal_colors(palette()).bad);
+    trouble_->setPalette(alarm);
+    trouble_->hide();
+    form.addRow(trouble_);
+    connect(folder_, &QLineEdit::textChanged, this, &PreferencesDialog::judge_folder);
+}
+
+QString PreferencesDialog::shown_folder() const {
+    const QString typed = QDir::fromNativeSeparators(folder_->text().trimmed());
+    return typed.isEmpty() ? path_text(usual_own_folder()) : QDir::cleanPath(typed);
+}
+
+/// A folder that is not there yet is made when something is kept.
+void PreferencesDialog::judge_folder() {
+    const QFileInfo info(shown_folder());
+    const QString trouble = info.isRelative()                ? tr("Write the whole path of a folder.")
+                            : info.exists() && !info.isDir() ? tr("This is a file: choose a folder.")
+                            : info.exists() && !info.isWritable()
+                                ? tr("Nothing can be written into this folder: choose another one.")
+                                : QString();
+    trouble_->setText(trouble);
+    trouble_->setVisible(!trouble.isEmpty());
+    buttons_box_->button(QDialogButtonBox::Ok)->setEnabled(trouble.isEmpty());
 }
 
 void PreferencesDialog::accept() {
@@ -152,6 +206,7 @@ void PreferencesDialog::accept() {
     settings::set_usual_project(usual_->usual());
     settings::set_autosave_interval(std::chrono::seconds(autosave_->value()));
     settings::set_threads(threads_->value());
+    settings::set_own_folder(folder_->text().trimmed().isEmpty() ? QString() : shown_folder());
     QDialog::accept();
 }
 

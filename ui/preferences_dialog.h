@@ -1,5 +1,5 @@
 // What belongs to the user and not to a project: how the view is turned, colours, language, what new projects
-// begin with, how often work is kept, how many threads it gets.
+// begin with, how often work is kept, how many threads it gets, where libraries and templates lie.
 #pragma once
 
 #include "ui/settings.h"
@@ -7,9 +7,11 @@
 #include <QDialog>
 
 class QComboBox;
+class QDialogButtonBox;
 class QFormLayout;
 class QGroupBox;
 class QLabel;
+class QLineEdit;
 class QSpinBox;
 
 namespace facetmill::ui {
@@ -32,11 +34,17 @@ private:
     QGroupBox* make_new_projects();
     QGroupBox* make_work();
     void add_language(QFormLayout& form);
+    void add_folder(QFormLayout& form);
+    QString shown_folder() const;
+    void judge_folder();
 
     QComboBox *style_ = nullptr, *orbit_ = nullptr, *colors_ = nullptr, *language_ = nullptr;
     QLabel* buttons_ = nullptr;
     UsualProjectBox* usual_ = nullptr;
     QSpinBox *autosave_ = nullptr, *threads_ = nullptr;
+    QLineEdit* folder_ = nullptr;
+    QLabel* trouble_ = nullptr;
+    QDialogButtonBox* buttons_box_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -127,6 +127,14 @@ void set_threads(int threads) {
     QSettings().setValue(QStringLiteral("threads"), threads);
 }
 
+QString own_folder() {
+    return QSettings().value(QStringLiteral("own_folder")).toString();
+}
+
+void set_own_folder(const QString& folder) {
+    QSettings().setValue(QStringLiteral("own_folder"), folder);
+}
+
 QString language() {
     return QSettings().value(QStringLiteral("language")).toString();
 }

@@ -50,6 +50,10 @@ int threads();
 void set_threads(int threads);
 inline constexpr int max_threads = 1024;
 
+/// Where libraries and templates are kept (own_folders.h); empty: where they usually are.
+QString own_folder();
+void set_own_folder(const QString& folder);
+
 /// The code of a language (language.h); empty: as the system says.
 QString language();
 void set_language(const QString& code);

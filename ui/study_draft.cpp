@@ -4,6 +4,7 @@
 #include "core/job/asked_operations.h"
 #include "core/study/study.h"
 #include "core/tools/library_file.h"
+#include "ui/own_folders.h"
 #include "ui/study_words.h"
 #include "ui/text.h"
 #include "ui/value_words.h"
@@ -77,7 +78,7 @@ std::vector<DraftVariation::Choice> tool_choices(const Project& project) {
     std::vector<Tool> all = project.tools;
     for (const Tool& tool : all)
         choices.push_back({tool_label(tool, project.unit), tool.number, {}, false});
-    for (const KeptLibrary& kept : kept_libraries(user_library_folder()))
+    for (const KeptLibrary& kept : kept_libraries(own_library_folder()))
         for (const LibraryTool& kept_tool : kept.library.tools) {
             Tool tool = numbered_for(kept_tool, all);
             const bool known = std::any_of(all.begin(), all.end(), [&](Tool one) {

@@ -2,9 +2,9 @@
 
 #include "core/base/file.h"
 #include "core/job/job_template.h"
-#include "core/tools/library_file.h"
 #include "ui/icons.h"
 #include "ui/messages.h"
+#include "ui/own_folders.h"
 #include "ui/settings.h"
 #include "ui/text.h"
 #include "ui/worded.h"
@@ -37,12 +37,8 @@ std::vector<std::filesystem::path> templates_in(const std::filesystem::path& fol
 
 } // namespace
 
-std::filesystem::path user_template_folder() {
-    return user_library_folder().parent_path() / "templates";
-}
-
-Templates::Templates(Document& document, Messages& messages, std::filesystem::path folder, QWidget* window)
-    : QObject(window), document_(document), messages_(messages), folder_(std::move(folder)), window_(window) {
+Templates::Templates(Document& document, Messages& messages, QWidget* window)
+    : QObject(window), document_(document), messages_(messages), window_(window) {
     menu_ = new QMenu(tr("Apply &template"), window);
     menu_->setIcon(icon(Icon::operation));
     menu_->setToolTipsVisible(true);
@@ -51,7 +47,7 @@ Templates::Templates(Document& document, Messages& messages, std::filesystem::pa
 
 void Templates::list() {
     menu_->clear();
-    for (const auto& file : templates_in(folder_)) {
+    for (const auto& file : templates_in(own_template_folder())) {
         QAction* action = menu_->addAction(elided(path_text(file.stem()), shown_template));
         connect(action, &QAction::triggered, this, [this, file] { apply(file); });
         action->setEnabled(document_.has_part());
@@ -68,14 +64,14 @@ void Templates::list() {
     QAction* from = menu_->addAction(tr("From a file…"), this, &Templates::apply_with_dialog);
     from->setEnabled(document_.has_part());
     QAction* show = menu_->addAction(tr("Show their folder"), this, [this] {
-        QDesktopServices::openUrl(QUrl::fromLocalFile(path_text(folder_)));
+        QDesktopServices::openUrl(QUrl::fromLocalFile(path_text(own_template_folder())));
     });
     std::error_code failed;
-    show->setEnabled(std::filesystem::is_directory(folder_, failed));
+    show->setEnabled(std::filesystem::is_directory(own_template_folder(), failed));
 }
 
 std::filesystem::path Templates::file_of(const QString& name) const {
-    return folder_ / path_of(name + QString::fromLatin1(ending));
+    return own_template_folder() / path_of(name + QString::fromLatin1(ending));
 }
 
 void Templates::save_with_dialog() {
@@ -108,7 +104,7 @@ void Templates::save(const QString& name) {
                     "write a name without slashes");
     const std::string kept = template_text(document_.project());
     std::error_code failed;
-    std::filesystem::create_directories(folder_, failed);
+    std::filesystem::create_directories(own_template_folder(), failed);
     OutputFile file(file_of(name));
     file.write(kept);
     file.commit();

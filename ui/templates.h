@@ -15,13 +15,10 @@ namespace facetmill::ui {
 
 class Messages;
 
-/// Where a user's templates lie.
-std::filesystem::path user_template_folder();
-
 class Templates : public QObject {
     Q_OBJECT
 public:
-    Templates(Document& document, Messages& messages, std::filesystem::path folder, QWidget* window);
+    Templates(Document& document, Messages& messages, QWidget* window);
 
     /// Lists the templates there are whenever it opens.
     QMenu* menu() { return menu_; }
@@ -39,7 +36,6 @@ private:
 
     Document& document_;
     Messages& messages_;
-    std::filesystem::path folder_;
     QWidget* window_;
     QMenu* menu_ = nullptr;
 };

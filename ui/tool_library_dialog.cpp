@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "ui/icons.h"
+#include "ui/own_folders.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 
@@ -62,7 +63,7 @@ QString feeds_of(const Tool& tool) {
 QAction* ToolLibraryDialog::make_action(Document& document, QWidget* parent) {
     auto* action = new QAction(icon(Icon::tool), tr("Tool library…"), parent);
     connect(action, &QAction::triggered, parent, [&document, parent] {
-        auto* dialog = new ToolLibraryDialog(document, user_library_folder(), parent->window());
+        auto* dialog = new ToolLibraryDialog(document, own_library_folder(), parent->window());
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->open();
     });

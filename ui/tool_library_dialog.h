@@ -19,7 +19,7 @@ namespace facetmill::ui {
 class ToolLibraryDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `folder`: where the libraries lie (user_library_folder()).
+    /// `folder`: where the libraries lie (own_folders.h).
     ToolLibraryDialog(Document& document, std::filesystem::path folder, QWidget* parent = nullptr);
 
     /// Opens it over the user's own libraries, in the parent's window.

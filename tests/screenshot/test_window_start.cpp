@@ -5,12 +5,14 @@
 #include "ui/controllers.h"
 #include "ui/measure_controller.h"
 #include "ui/message_bar.h"
+#include "ui/own_folders.h"
 #include "ui/preferences_dialog.h"
 #include "ui/project_tree.h"
 #include "ui/recent_pictures.h"
 #include "ui/settings.h"
 #include "ui/templates.h"
 #include "ui/text.h"
+#include "ui/tool_library_dialog.h"
 #include "ui/view_menu.h"
 #include "ui/viewport.h"
 
@@ -170,6 +172,45 @@ private slots:
         QSettings().clear();
         ui::take_preferences(w());
         QVERIFY(thread_count() > 1 || QThread::idealThreadCount() == 1);
+    }
+
+    /// Where libraries and templates lie is the user's to say; a folder that cannot be is refused as typed.
+    void a_folder_of_ones_own() {
+        const QString own = scratch_folder(QStringLiteral("own")) + QStringLiteral("/cam");
+        QCOMPARE(ui::own_folder(), ui::usual_own_folder());
+        action(w(), "preferences")->trigger();
+        QPointer<ui::PreferencesDialog> dialog = w().findChild<ui::PreferencesDialog*>();
+        QVERIFY(dialog && activate(*dialog));
+        auto* line = dialog->findChild<QLineEdit*>(QStringLiteral("own_folder"));
+        auto* trouble = dialog->findChild<QLabel*>(QStringLiteral("folder_trouble"));
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        QCOMPARE(line->placeholderText(), ui::path_text(ui::usual_own_folder()));
+        const QString file = write_mesh(scratch_folder(QStringLiteral("own-file")));
+        for (const QString& wrong : {QStringLiteral("cam"), file}) {
+            type_over(line, wrong);
+            QVERIFY2(!ok->isEnabled() && trouble->isVisible() && !trouble->text().isEmpty(),
+                     qPrintable(wrong));
+        }
+        shot(*dialog, QStringLiteral("dialog-preferences-folder"));
+        type_over(line, own + QStringLiteral("/"));
+        QVERIFY(ok->isEnabled() && !trouble->isVisible());
+        QTest::mouseClick(ok, Qt::LeftButton);
+        QTRY_VERIFY(!dialog || !dialog->isVisible());
+        QCOMPARE(ui::own_folder(), ui::path_of(own));
+
+        // Both are kept there from now on, and found there.
+        QVERIFY(open_part());
+        w().templates().save(QStringLiteral("kept"));
+        QVERIFY(QFile::exists(own + QStringLiteral("/templates/kept.fmtemplate")));
+        w().tree().tool_library_action()->trigger();
+        QPointer<ui::ToolLibraryDialog> library;
+        QTRY_VERIFY((library = w().findChild<ui::ToolLibraryDialog*>()));
+        QTest::mouseClick(library->findChild<QPushButton*>(QStringLiteral("keep")), Qt::LeftButton);
+        QTRY_VERIFY(!QDir(own + QStringLiteral("/tools")).isEmpty());
+        library->close();
+        ui::settings::set_own_folder({});
+        emit w().templates().menu()->aboutToShow();
+        QVERIFY(!w().templates().menu()->actions().front()->isEnabled()); // none is kept in the usual place
     }
 
     /// A right click offers what can be done with what lies there; everything in it can be undone.
@@ -358,7 +399,7 @@ private slots:
         w().document().undo_stack().undo();
         QCOMPARE(w().document().operation_count(), std::size_t(1));
         // A damaged one cannot be chosen, and says why.
-        QFile bad(ui::path_text(ui::user_template_folder() / "a bad one.fmtemplate"));
+        QFile bad(ui::path_text(ui::own_template_folder() / "a bad one.fmtemplate"));
         QVERIFY(bad.open(QIODevice::WriteOnly));
         bad.write("{\"facetmill\": 1");
         bad.close();
