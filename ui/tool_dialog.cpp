@@ -2,6 +2,7 @@
 
 #include "core/tools/library_file.h"
 #include "ui/icons.h"
+#include "ui/own_folders.h"
 #include "ui/parameter_form.h"
 #include "ui/record_table.h"
 #include "ui/text.h"
@@ -9,6 +10,7 @@
 #include "ui/tool_list.h"
 #include "ui/tool_sketch.h"
 #include "ui/worded.h"
+#include "viz/tool_shape.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -178,7 +180,7 @@ QWidget* ToolDialog::make_lists() {
 void ToolDialog::list_holders(QMenu& menu) {
     menu.clear();
     std::vector<ToolHolder> holders;
-    for (const KeptLibrary& kept : kept_libraries(user_library_folder())) {
+    for (const KeptLibrary& kept : kept_libraries(own_library_folder())) {
         holders.insert(holders.end(), kept.library.holders.begin(), kept.library.holders.end());
         for (const LibraryTool& t : kept.library.tools)
             if (!t.holder.outline.empty()) holders.push_back(t.holder);
@@ -220,6 +222,18 @@ QString ToolDialog::problem() const {
     return form_->valid() ? QString() : tr("A value is not valid");
 }
 
+/// The picture shows the cone, so that it must be said that more of it is kept clear.
+QString ToolDialog::holder_remark() const {
+    const std::vector<HolderPiece> pieces = holder_pieces(tool().holder);
+    const bool cones =
+        std::any_of(pieces.begin(), pieces.end(), [](const HolderPiece& p) { return p.lower != p.upper; });
+    constexpr double largest_step = 1; // mm: holder_steps
+    return cones ? tr("Cones of the holder are kept clear as the steps above, which stand out of them by up "
+                      "to %1.")
+                       .arg(shown_length(largest_step, unit_, 3))
+                 : QString();
+}
+
 void ToolDialog::validate() {
     if (validating_) return; // the form tells of every message that is shown under a field
     validating_ = true;
@@ -242,9 +256,10 @@ void ToolDialog::validate() {
     else if (!marked_.empty())
         form_->set_error(marked_, check_message_);
     const QString why = problem();
-    problem_->setText(why);
+    problem_->setText(why.isEmpty() ? holder_remark() : why);
     QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
+    colors.setColor(QPalette::WindowText,
+                    why.isEmpty() ? signal_colors(palette()).quiet : signal_colors(palette()).bad);
     problem_->setPalette(colors);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
     sketch_->set_tool(tool(), unit_);

@@ -31,6 +31,7 @@ public:
     const Tool& tool() const { return edit_.tool(); }
     /// Why OK is not possible; empty when it is.
     QString problem() const;
+    QString holder_remark() const;
     void accept() override;
 
 signals:

@@ -536,6 +536,8 @@ private slots:
         QCOMPARE(menu->actions().front()->text(), QStringLiteral("BT30"));
         menu->actions().front()->trigger();
         QCOMPARE(edited->tool().holder.size(), std::size_t(7)); // a millimetre a step
+        QVERIFY(
+            edited->findChild<QLabel*>(QStringLiteral("problem"))->text().contains(QStringLiteral("Cones")));
         QCOMPARE(edited->tool().holder.back().diameter, 44.0);
         edited->reject();
     }
