@@ -14,6 +14,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -23,8 +24,14 @@ namespace facetmill::ui {
 
 namespace {
 
+/// A dark line on a dark panel is not seen.
+bool stands_out(const QColor& color, const QColor& ground) {
+    constexpr int least = 60; // of 255
+    return std::abs(qGray(color.rgb()) - qGray(ground.rgb())) >= least;
+}
+
 /// As the legend of a picture draws it.
-QPixmap sample_of(const LegendEntry& entry, double ratio) {
+QPixmap sample_of(const LegendEntry& entry, double ratio, const QPalette& palette) {
     constexpr int width = 16, height = 12;
     QPixmap pixmap(int(std::ceil(width * ratio)), int(std::ceil(height * ratio)));
     pixmap.setDevicePixelRatio(ratio);
@@ -39,6 +46,8 @@ QPixmap sample_of(const LegendEntry& entry, double ratio) {
         p.drawEllipse(QPointF(width / 2.0, height / 2.0), 5.0, 5.0);
         break;
     case LegendEntry::Sample::line:
+        if (!stands_out(color, palette.color(QPalette::Window)))
+            p.fillRect(QRectF(0, 0, width, height), palette.color(QPalette::PlaceholderText));
         p.fillRect(QRectF(0, height / 2.0 - 1, width, 2), color);
         break;
     case LegendEntry::Sample::box: {
@@ -59,7 +68,17 @@ QPixmap sample_of(const LegendEntry& entry, double ratio) {
 
 CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("cspace"));
-    auto* column = new QVBoxLayout(this);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    auto* scroll = new QScrollArea(this); // a small window has no room for view, legend and words at once
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* body = new QWidget(scroll);
+    scroll->setWidget(body);
+    whole->addWidget(scroll);
+    auto* column = new QVBoxLayout(body);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
     auto* row = new QHBoxLayout;
@@ -172,7 +191,7 @@ void CSpacePanel::show_legend() {
         row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(5);
         auto* sample = new QLabel(item);
-        sample->setPixmap(sample_of(entry, devicePixelRatioF()));
+        sample->setPixmap(sample_of(entry, devicePixelRatioF(), palette()));
         row->addWidget(sample);
         row->addWidget(new QLabel(worded(entry.label), item));
         legend_->layout()->addWidget(item);

@@ -24,7 +24,7 @@ public:
     bool finished() const;
     /// The configuration space in this size with its legend, drawn now.
     QImage export_picture(const QSize& size);
-    QSize sizeHint() const override { return {420, 360}; }
+    QSize sizeHint() const override { return {420, 150}; } ///< and all that is left
 
 signals:
     /// What is under the resting pointer.

@@ -187,8 +187,12 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.editor->setProperty(help_key_property, text(info.key));
     row.unit = new QLabel(holder);
     row.unit->setForegroundRole(QPalette::PlaceholderText);
-    row.unit->setMinimumWidth(
-        row.unit->fontMetrics().horizontalAdvance(text(edge_unit_name(info.quantity, LengthUnit::inch))));
+    int widest_unit = 0; // that of millimetres is the wider one of feeds
+    for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch})
+        widest_unit =
+            std::max(widest_unit,
+                     row.unit->fontMetrics().horizontalAdvance(worded(edge_unit_name(info.quantity, unit))));
+    row.unit->setMinimumWidth(widest_unit);
     row.reset = new QToolButton(holder);
     row.reset->setIcon(icon(Icon::reset));
     row.reset->setIconSize(QSize(14, 14));

@@ -143,13 +143,21 @@ void StartHint::list_recent() {
     recent_label_->setVisible(recent_->count() > 0);
 }
 
+/// Names that are longer than their pictures are wide have two lines; the lists of recent files end theirs
+/// with dots, as they can be of any length.
 void StartHint::list_samples() {
+    samples_->setWordWrap(true);
+    QSize cell = samples_->gridSize();
     for (const SampleKind& kind : sample_kinds()) {
         const QIcon picture(QStringLiteral(":/pictures/samples/%1.png").arg(text(kind.name)));
-        auto* item = new QListWidgetItem(picture, short_name(worded(kind.label)), samples_);
+        const QString name = worded(kind.label);
+        if (short_name(name) != name)
+            cell.setHeight(recent_->gridSize().height() + samples_->fontMetrics().lineSpacing());
+        auto* item = new QListWidgetItem(picture, name, samples_);
         item->setToolTip(worded(kind.help));
         item->setData(Qt::UserRole, text(kind.name));
     }
+    samples_->setGridSize(cell);
 }
 
 void StartHint::show_usual() {

@@ -302,8 +302,7 @@ QString VerificationPanel::figures_html() const {
     }
     if (!bands.isEmpty()) {
         const auto head = [&](const QString& name) {
-            return QStringLiteral("<td align=\"right\" style=\"white-space:nowrap; color:%1; padding:1px 0 "
-                                  "1px 2px\">%2</td>")
+            return QStringLiteral("<td align=\"right\" style=\"color:%1; padding:1px 0 1px 4px\">%2</td>")
                 .arg(quiet, name.toHtmlEscaped());
         };
         html += QStringLiteral("<table width=\"100%\" cellspacing=\"0\" style=\"margin-top:8px\"><tr>"

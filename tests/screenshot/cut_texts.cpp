@@ -11,15 +11,18 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTabBar>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QToolTip>
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <cmath>
 
 namespace facetmill::test {
 
@@ -68,6 +71,15 @@ void look_at_label(const QLabel& label, Faults& faults) {
     const QSize need = label.wordWrap() ? QSize(0, label.heightForWidth(label.width())) : label.sizeHint();
     faults.add(words, label.width(), need.width());
     faults.add(words, label.height(), need.height());
+    if (label.wordWrap() && Qt::mightBeRichText(words)) { // a table has a least width of its own
+        QTextDocument whole;
+        whole.setDefaultFont(label.font());
+        whole.setDocumentMargin(0);
+        whole.setHtml(words);
+        whole.setTextWidth(label.contentsRect().width());
+        faults.add(words, label.contentsRect().width(),
+                   int(std::ceil(std::max(whole.size().width(), whole.idealWidth()))));
+    }
     look_at_edges(label, words, need.width(), faults);
     if (!label.wordWrap() || Qt::mightBeRichText(words)) return;
     // Lines break between words alone.
@@ -144,6 +156,29 @@ void look_at_tree(const QTreeWidget& tree, Faults& faults) {
     }
 }
 
+void gather(const QLayout& layout, QList<const QWidget*>& widgets) {
+    for (int i = 0; i < layout.count(); ++i) {
+        const QLayoutItem& item = *layout.itemAt(i);
+        if (const QWidget* w = const_cast<QLayoutItem&>(item).widget(); w && w->isVisible())
+            widgets << w;
+        else if (const QLayout* inner = const_cast<QLayoutItem&>(item).layout())
+            gather(*inner, widgets);
+    }
+}
+
+/// What stands in one layout stands side by side: where its room is too small, things lie over each other.
+void look_at_places(const QWidget& w, Faults& faults) {
+    if (!w.layout()) return;
+    QList<const QWidget*> widgets;
+    gather(*w.layout(), widgets);
+    for (qsizetype i = 0; i < widgets.size(); ++i)
+        for (qsizetype j = 0; j < i; ++j)
+            if (const QRect both = widgets[i]->geometry() & widgets[j]->geometry();
+                both.width() > slack && both.height() > slack)
+                faults.add(widgets[i]->objectName() + QStringLiteral(" and ") + widgets[j]->objectName(),
+                           ": one lies over the other");
+}
+
 /// What is worked with is there whole, also what has no words.
 void look_at_control(const QWidget& w, Faults& faults) {
     const bool control = qobject_cast<const QAbstractButton*>(&w) || qobject_cast<const QComboBox*>(&w)
@@ -155,6 +190,7 @@ void look_at_control(const QWidget& w, Faults& faults) {
 QStringList look_at(const QWidget& w) {
     Faults faults(w);
     look_at_control(w, faults);
+    look_at_places(w, faults);
     if (const auto* label = qobject_cast<const QLabel*>(&w))
         look_at_label(*label, faults);
     else if (const auto* button = qobject_cast<const QAbstractButton*>(&w))
@@ -177,7 +213,7 @@ QStringList look_at(const QWidget& w) {
 } // namespace
 
 QStringList cut_texts(const QWidget& window) {
-    QStringList found;
+    QStringList found = look_at(window);
     for (const QWidget* w : window.findChildren<const QWidget*>())
         if (w->isVisible() && w->window() == &window && !w->visibleRegion().isEmpty()) found << look_at(*w);
     found.removeDuplicates();

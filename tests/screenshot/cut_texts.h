@@ -8,7 +8,7 @@ namespace facetmill::test {
 
 /// Texts of a window's visible widgets that need more room than they have, or lie beyond the edge of what
 /// they stand in, each with its place and the pixels; empty when all can be read. Texts that shorten
-/// themselves are right where a tool tip has the whole.
+/// themselves are right where a tool tip has the whole. Also widgets of one layout that lie over each other.
 QStringList cut_texts(const QWidget& window);
 
 } // namespace facetmill::test

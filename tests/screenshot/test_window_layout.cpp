@@ -23,6 +23,7 @@
 #include <QSettings>
 #include <QTest>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -155,6 +156,37 @@ private slots:
         QCOMPARE(ui::shortened_text(*choice), choice->currentText());
         elided->setToolTip(QString());
         QCOMPARE(cut_texts(top).size(), 6);
+    }
+
+    /// So are words of a table without room, and two things in one place.
+    void a_narrow_table_and_an_overlap_are_found() {
+        QWidget top;
+        auto* column = new QVBoxLayout(&top);
+        column->setSizeConstraint(QLayout::SetNoConstraint);
+        auto* table = new QLabel(
+            QStringLiteral(
+                "<table><tr><td style=\"white-space:nowrap\">Considerably longer</td></tr></table>"),
+            &top);
+        table->setWordWrap(true);
+        auto* below = new QWidget(&top);
+        for (QWidget* w : {static_cast<QWidget*>(table), below})
+            w->setMinimumSize(20, 40);
+        column->addWidget(table);
+        column->addWidget(below);
+        top.resize(240, 140);
+        top.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&top));
+        QVERIFY2(cut_texts(top).isEmpty(), qPrintable(cut_texts(top).join(QChar('\n'))));
+        top.resize(70, 140);
+        QTRY_COMPARE(top.width(), 70);
+        QStringList found = cut_texts(top);
+        QVERIFY2(found.size() == 1 && found.front().contains(QStringLiteral("Considerably")),
+                 qPrintable(found.join(QChar('\n'))));
+        top.resize(240, 80);
+        QTRY_COMPARE(top.size(), QSize(240, 80));
+        found = cut_texts(top);
+        QVERIFY2(found.size() == 1 && found.front().contains(QStringLiteral("lies over")),
+                 qPrintable(found.join(QChar('\n'))));
     }
 
     /// A number in a narrow field ends with a mark, unless it is written in, and the pointer is told it

@@ -1,5 +1,6 @@
 // Pictures of every page, in both palettes, three sizes and three languages, on sheets to be looked at:
 // packaging/page-pictures.
+#include "tests/screenshot/cut_texts.h"
 #include "tests/screenshot/page_sheets.h"
 #include "tests/screenshot/window_states.h"
 #include "tests/screenshot/window_tour.h"
@@ -46,8 +47,17 @@ private slots:
             w().set_theme(dark ? ui::Theme::dark : ui::Theme::light);
             w().resize(size / w().devicePixelRatioF());
         };
+        // Beside the pictures, what can be told by rule: states are too many to be toured by every test.
+        QStringList cut;
+        const auto check = [&](QWidget& top, const QString& page) {
+            for (const QString& line : found_at_rest([&] { return cut_texts(top); }))
+                cut << page + QStringLiteral(": ") + line;
+        };
         begin();
-        tour_states(w(), [&](QWidget& top, const QString& page) { pages.add(top, page); });
+        tour_states(w(), [&](QWidget& top, const QString& page) {
+            check(top, page);
+            pages.add(top, page);
+        });
         begin();
         QVERIFY(open_and_plan());
         w().verify();
@@ -65,6 +75,7 @@ private slots:
         };
         tour_window(w(), look);
         tour_dialogs(w(), [&](QWidget& top, const QString& page) { forms.add(top, page); });
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QChar('\n'))));
     }
 };
 
