@@ -121,6 +121,39 @@ private slots:
         QVERIFY(!w().document().undo_stack().canUndo());
     }
 
+    /// The mark of a picked point is one of the part as it lies: it goes when the part turns, however that is
+    /// done, and does not come back with it.
+    void the_mark_of_a_picked_point_goes_with_a_turn() {
+        Scene& scene = w().viewport().scene();
+        const auto pick = [&] {
+            QVERIFY(!scene.has(Layer::marker));
+            const Vec2 p = scene.camera().display_of(w().document().part()->box.center());
+            QTest::mouseClick(&w().viewport(), Qt::LeftButton, {},
+                              (QPointF(p.x(), p.y()) / w().viewport().devicePixelRatioF()).toPoint());
+            QVERIFY(scene.has(Layer::marker));
+        };
+        pick();
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        press("place_turn_z");
+        QVERIFY(!scene.has(Layer::marker));
+        pick();
+        action(w(), "undo")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!scene.has(Layer::marker));
+        pick();
+        w().tree().select({ui::TreeNode::Kind::part, 0});
+        enter(w(), "rotate2", QStringLiteral("30"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!scene.has(Layer::marker));
+        // What turns nothing leaves it.
+        pick();
+        w().tree().select({ui::TreeNode::Kind::operation, 0});
+        enter(w(), "feed", QStringLiteral("321"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(scene.has(Layer::marker));
+    }
+
     /// Laid while the view still flies to the face: the flight does not go on to where that was.
     void a_double_click_lays_and_fits() {
         action(w(), "place")->trigger();
