@@ -1477,7 +1477,7 @@
     </message>
     <message>
         <source>Machining direction</source>
-        <translation>Bearbeitungsrichtung</translation>
+        <translation>Richtung der Bearbeitung</translation>
     </message>
     <message>
         <source>Machining tolerance: the largest cusp that may be left. Gouges are not allowed at all.</source>
@@ -2049,7 +2049,7 @@
     </message>
     <message>
         <source>Rework tool</source>
-        <translation>Nacharbeitswerkzeug</translation>
+        <translation>Werkzeug der Nacharbeit</translation>
     </message>
     <message>
         <source>Ribs swept around a cylinder Ø40 mm, 54 mm long, about the X axis.</source>
@@ -4549,7 +4549,7 @@
     </message>
     <message>
         <source>export it again, and copy it as binary</source>
-        <translation>exportieren Sie sie neu, und kopieren Sie sie binär</translation>
+        <translation>neu exportieren und binär kopieren</translation>
     </message>
     <message>
         <source>export it again, or end it with FINI</source>
@@ -6485,7 +6485,7 @@
     </message>
     <message>
         <source>open them one by one, or join them in the program that made them</source>
-        <translation>öffnen Sie sie einzeln, oder verbinden Sie sie in dem Programm, das sie gemacht hat</translation>
+        <translation>einzeln öffnen, oder in dem Programm verbinden, das sie gemacht hat</translation>
     </message>
     <message>
         <source>operation '{1}'</source>
@@ -7965,7 +7965,7 @@
     </message>
     <message>
         <source>the program that wrote it is wrong: export the part by another one</source>
-        <translation>das Programm, das sie geschrieben hat, macht es falsch: exportieren Sie das Teil mit einem anderen</translation>
+        <translation>das Programm, das sie geschrieben hat, macht es falsch: das Teil mit einem anderen exportieren</translation>
     </message>
     <message>
         <source>the project as it stands</source>
@@ -9461,7 +9461,7 @@
     </message>
     <message>
         <source>write smooth or flat</source>
-        <translation>schreiben Sie glatt oder flach</translation>
+        <translation>glatt oder flach schreiben</translation>
     </message>
     <message>
         <source>write some of: {1}</source>
@@ -10392,7 +10392,7 @@
     </message>
     <message>
         <source>%1, %2: choose at least one value.</source>
-        <translation>%1, %2: wählen Sie mindestens einen Wert.</translation>
+        <translation>%1, %2: mindestens einen Wert wählen.</translation>
     </message>
     <message>
         <source>%1, at most %2</source>
@@ -10632,7 +10632,7 @@
     </message>
     <message>
         <source>&amp;Open study…</source>
-        <translation>Studie ö&amp;ffnen …</translation>
+        <translation>Studie ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -10688,7 +10688,7 @@
     </message>
     <message>
         <source>&amp;Turning</source>
-        <translation>&amp;Drehung</translation>
+        <translation>D&amp;rehung</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -10884,7 +10884,7 @@
     </message>
     <message>
         <source>A study works on the project as it is saved: save it first.</source>
-        <translation>Eine Studie arbeitet mit dem Projekt, wie es gespeichert ist: speichern Sie es zuerst.</translation>
+        <translation>Eine Studie arbeitet mit dem Projekt, wie es gespeichert ist: zuerst speichern.</translation>
     </message>
     <message>
         <source>A value is not valid</source>
@@ -11328,11 +11328,11 @@
     </message>
     <message>
         <source>Choose a candidate in a picture or in the table</source>
-        <translation>Wählen Sie einen Kandidaten in einem Bild oder in der Tabelle</translation>
+        <translation>Einen Kandidaten in einem Bild oder in der Tabelle wählen</translation>
     </message>
     <message>
         <source>Choose a candidate in a picture or in the table.</source>
-        <translation>Wählen Sie einen Kandidaten in einem Bild oder in der Tabelle.</translation>
+        <translation>Einen Kandidaten in einem Bild oder in der Tabelle wählen.</translation>
     </message>
     <message>
         <source>Choose a folder that is there</source>
@@ -11497,6 +11497,10 @@
     <message>
         <source>Cone</source>
         <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Cones of the holder are kept clear as the steps above, which stand out of them by up to %1.</source>
+        <translation>Kegel des Halters werden als die Stufen oben freigehalten, die bis zu %1 aus ihnen herausstehen.</translation>
     </message>
     <message>
         <source>Configuration space</source>
@@ -11805,7 +11809,7 @@ unten</translation>
     </message>
     <message>
         <source>Everything that varies beside what comes of it; drag along an axis to keep a range, click it to let go</source>
-        <translation>Alles, was sich ändert, neben dem, was daraus wird; ziehen Sie entlang einer Achse, um einen Bereich zu behalten, ein Klick auf sie gibt ihn frei</translation>
+        <translation>Alles, was sich ändert, neben dem, was daraus wird; entlang einer Achse ziehen behält einen Bereich, ein Klick auf sie gibt ihn frei</translation>
     </message>
     <message>
         <source>Excess</source>
@@ -11868,8 +11872,20 @@ unten</translation>
         <translation>Programme exportieren nach</translation>
     </message>
     <message>
+        <source>Export programs of which only some are verified?</source>
+        <translation>Programme exportieren, von denen nur einige geprüft sind?</translation>
+    </message>
+    <message>
+        <source>Export programs that cannot be judged?</source>
+        <translation>Programme exportieren, die sich nicht beurteilen lassen?</translation>
+    </message>
+    <message>
         <source>Export programs that failed?</source>
         <translation>Programme exportieren, die nicht bestanden haben?</translation>
+    </message>
+    <message>
+        <source>Export programs that were verified as they no longer are?</source>
+        <translation>Programme exportieren, die seit der Prüfung andere sind?</translation>
     </message>
     <message>
         <source>Export set&amp;up sheet…</source>
@@ -11881,7 +11897,7 @@ unten</translation>
     </message>
     <message>
         <source>Export ta&amp;ble…</source>
-        <translation>Ta&amp;belle exportieren …</translation>
+        <translation>Ta&amp;belle exportieren…</translation>
     </message>
     <message>
         <source>Export table</source>
@@ -12086,7 +12102,7 @@ bei</translation>
     </message>
     <message>
         <source>Fills one hole as you choose, or leaves it open; other steps fill the rest.</source>
-        <translation>Füllt ein Loch, wie Sie es wählen, oder lässt es offen; andere Schritte füllen die übrigen.</translation>
+        <translation>Füllt ein Loch, wie es gewählt ist, oder lässt es offen; andere Schritte füllen die übrigen.</translation>
     </message>
     <message>
         <source>Find by name, shape, material or library</source>
@@ -12131,10 +12147,6 @@ bei</translation>
     <message>
         <source>Folder</source>
         <translation>Ordner</translation>
-    </message>
-    <message>
-        <source>Folder of libraries and templates</source>
-        <translation>Ordner der Bibliotheken und Vorlagen</translation>
     </message>
     <message>
         <source>Following the path on the machine…</source>
@@ -12387,6 +12399,10 @@ bei</translation>
         <translation>Für diesen Punkt festhalten</translation>
     </message>
     <message>
+        <source>Keep libraries and templates in</source>
+        <translation>Bibliotheken und Vorlagen aufbewahren in</translation>
+    </message>
+    <message>
         <source>Keep operations, tools and settings of this setup for other parts</source>
         <translation>Operationen, Werkzeuge und Einstellungen dieser Aufspannung für andere Teile aufbewahren</translation>
     </message>
@@ -12421,6 +12437,10 @@ bei</translation>
     <message>
         <source>Keys and mouse</source>
         <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>L&amp;ibraries and templates in</source>
+        <translation>B&amp;ibliotheken und Vorlagen in</translation>
     </message>
     <message>
         <source>Larger letters (Ctrl++)</source>
@@ -12574,7 +12594,7 @@ auf, %1</translation>
     </message>
     <message>
         <source>Looking at what is known…</source>
-        <translation>Was bekannt ist, wird gelesen …</translation>
+        <translation>Was bekannt ist, wird gelesen…</translation>
     </message>
     <message>
         <source>Looking for a hole</source>
@@ -12893,6 +12913,10 @@ auf, %1</translation>
         <translation>Nr.</translation>
     </message>
     <message>
+        <source>Nobody knows what these programs leave of part, tool and machine.</source>
+        <translation>Niemand weiß, was diese Programme von Teil, Werkzeug und Maschine übrig lassen.</translation>
+    </message>
+    <message>
         <source>None is kept yet</source>
         <translation>Noch keine aufbewahrt</translation>
     </message>
@@ -12958,11 +12982,11 @@ auf, %1</translation>
     </message>
     <message>
         <source>Nothing is wanted: choose a measure.</source>
-        <translation>Nichts ist gewünscht: wählen Sie ein Maß.</translation>
+        <translation>Nichts ist gewünscht: ein Maß wählen.</translation>
     </message>
     <message>
         <source>Nothing may vary: choose at least two values of something, such as two tools.</source>
-        <translation>Nichts darf sich ändern: wählen Sie mindestens zwei Werte von etwas, etwa zwei Werkzeuge.</translation>
+        <translation>Nichts darf sich ändern: mindestens zwei Werte von etwas wählen, etwa zwei Werkzeuge.</translation>
     </message>
     <message>
         <source>Nothing moved</source>
@@ -14091,7 +14115,7 @@ auf, %1</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten …</translation>
+        <translation>Wird angehalten…</translation>
     </message>
     <message>
         <source>Straighten, move, mirror</source>
@@ -14115,7 +14139,7 @@ auf, %1</translation>
     </message>
     <message>
         <source>Stud&amp;y…</source>
-        <translation>Stud&amp;ie …</translation>
+        <translation>Stud&amp;ie…</translation>
     </message>
     <message>
         <source>Studies (*.study.json request.json)</source>
@@ -14353,7 +14377,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
-        <translation>Das Netz hat %1. Es wird bearbeitet, wie es ist; im Scan-Raum wird es bearbeitungswürdig.</translation>
+        <translation>Das Netz hat %1. Es wird bearbeitet, wie es ist; im Scan-Raum lässt es sich instand setzen.</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
@@ -14501,7 +14525,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>The study is of another part, %1: open its project first.</source>
-        <translation>Die Studie gehört zu einem anderen Teil, %1: öffnen Sie zuerst dessen Projekt.</translation>
+        <translation>Die Studie gehört zu einem anderen Teil, %1: zuerst dessen Projekt öffnen.</translation>
     </message>
     <message>
         <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
@@ -14605,7 +14629,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>These are more than %1 combinations: let less vary, or try some of them.</source>
-        <translation>Das sind mehr als %1 Kombinationen: lassen Sie weniger sich ändern, oder versuchen Sie einige davon.</translation>
+        <translation>Das sind mehr als %1 Kombinationen: weniger sich ändern lassen, oder einige davon versuchen.</translation>
     </message>
     <message>
         <source>These values make no cutter.
@@ -14620,6 +14644,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>This candidate has not been verified finely.</source>
         <translation>Dieser Kandidat ist nicht fein geprüft worden.</translation>
+    </message>
+    <message>
+        <source>This is a file: choose a folder.</source>
+        <translation>Das ist eine Datei: einen Ordner wählen.</translation>
     </message>
     <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
@@ -14647,7 +14675,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>Tick the tools and strategies that may serve; write several numbers with a semicolon between them</source>
-        <translation>Kreuzen Sie die Werkzeuge und Strategien an, die taugen könnten; schreiben Sie mehrere Zahlen mit einem Semikolon dazwischen</translation>
+        <translation>Werkzeuge und Strategien ankreuzen, die taugen könnten; mehrere Zahlen mit einem Semikolon dazwischen schreiben</translation>
     </message>
     <message>
         <source>Time (%1)</source>
@@ -14748,6 +14776,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools and templates are kept here; those of another folder stay there. Empty: %1</source>
+        <translation>Werkzeuge und Vorlagen werden hier aufbewahrt; die eines anderen Ordners bleiben dort. Leer: %1</translation>
     </message>
     <message>
         <source>Tools of the library</source>
@@ -14988,6 +15020,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Verify again</source>
         <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Verify again (F6), or export programs that nobody has checked since.</source>
+        <translation>Neu prüfen (F6), oder Programme exportieren, die seither niemand geprüft hat.</translation>
+    </message>
+    <message>
+        <source>Verify all of them (F6), or export some that nobody has checked.</source>
+        <translation>Alle prüfen (F6), oder einige exportieren, die niemand geprüft hat.</translation>
     </message>
     <message>
         <source>Verify all se&amp;tups</source>

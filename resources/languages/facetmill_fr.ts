@@ -3589,7 +3589,7 @@
     </message>
     <message>
         <source>allow a larger tolerance or set a step-down</source>
-        <translation>permettez une plus grande tolérance ou donnez une descente</translation>
+        <translation>permettre une plus grande tolérance ou donner une descente</translation>
     </message>
     <message>
         <source>allow a larger tolerance or set a step-over</source>
@@ -3997,7 +3997,7 @@
     </message>
     <message>
         <source>check part, tool and divide</source>
-        <translation>vérifiez pièce, outil et limite</translation>
+        <translation>vérifier pièce, outil et limite</translation>
     </message>
     <message>
         <source>check part, tool and tolerance</source>
@@ -4077,7 +4077,7 @@
     </message>
     <message>
         <source>check the part's units, or take a larger tool</source>
-        <translation>vérifiez l'unité de la pièce, ou prenez un outil plus grand</translation>
+        <translation>vérifier l'unité de la pièce, ou prendre un outil plus grand</translation>
     </message>
     <message>
         <source>check the part's units, or take a larger tool or step-over</source>
@@ -4169,7 +4169,7 @@
     </message>
     <message>
         <source>choose a larger step-down</source>
-        <translation>choisissez une plus grande descente</translation>
+        <translation>choisir une plus grande descente</translation>
     </message>
     <message>
         <source>choose a larger step-over</source>
@@ -7633,7 +7633,7 @@
     </message>
     <message>
         <source>the levels leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller step-down, or wider slope limits</source>
-        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisissez une plus petite descente, ou des limites de pente plus larges</translation>
+        <translation>les niveaux laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus en {3} : choisir une plus petite descente, ou des limites de pente plus larges</translation>
     </message>
     <message>
         <source>the limits {1} and {2} leave no travel</source>
@@ -7965,7 +7965,7 @@
     </message>
     <message>
         <source>the program that wrote it is wrong: export the part by another one</source>
-        <translation>le programme qui l’a écrit est fautif : exportez la pièce avec un autre</translation>
+        <translation>le programme qui l’a écrit est fautif : exporter la pièce avec un autre</translation>
     </message>
     <message>
         <source>the project as it stands</source>
@@ -9193,7 +9193,7 @@
     </message>
     <message>
         <source>widen it or the slope limits, or take a tool that reaches what lies in it</source>
-        <translation>élargissez-la ou les limites de pente, ou prenez un outil qui atteint ce qui s'y trouve</translation>
+        <translation>l'élargir, elle ou les limites de pente, ou prendre un outil qui atteint ce qui s'y trouve</translation>
     </message>
     <message>
         <source>widen it, or take a tool that reaches what lies in it</source>
@@ -9205,7 +9205,7 @@
     </message>
     <message>
         <source>widen the slope limits, or finish it by parallel passes</source>
-        <translation>élargissez les limites de pente, ou finissez par des passes parallèles</translation>
+        <translation>élargir les limites de pente, ou finir par des passes parallèles</translation>
     </message>
     <message>
         <source>with corner radius 0 the centre (e, f) must be the corner ({1}, {2})</source>
@@ -9461,7 +9461,7 @@
     </message>
     <message>
         <source>write smooth or flat</source>
-        <translation>écrivez lisse ou plat</translation>
+        <translation>écrire lisse ou plat</translation>
     </message>
     <message>
         <source>write some of: {1}</source>
@@ -10392,7 +10392,7 @@
     </message>
     <message>
         <source>%1, %2: choose at least one value.</source>
-        <translation>%1, %2 : choisissez au moins une valeur.</translation>
+        <translation>%1, %2 : choisir au moins une valeur.</translation>
     </message>
     <message>
         <source>%1, at most %2</source>
@@ -11328,11 +11328,11 @@
     </message>
     <message>
         <source>Choose a candidate in a picture or in the table</source>
-        <translation>Choisissez un candidat dans une image ou dans le tableau</translation>
+        <translation>Choisir un candidat dans une image ou dans le tableau</translation>
     </message>
     <message>
         <source>Choose a candidate in a picture or in the table.</source>
-        <translation>Choisissez un candidat dans une image ou dans le tableau.</translation>
+        <translation>Choisir un candidat dans une image ou dans le tableau.</translation>
     </message>
     <message>
         <source>Choose a folder that is there</source>
@@ -11497,6 +11497,10 @@
     <message>
         <source>Cone</source>
         <translation>Cône</translation>
+    </message>
+    <message>
+        <source>Cones of the holder are kept clear as the steps above, which stand out of them by up to %1.</source>
+        <translation>Les cônes du porte-outil sont tenus libres comme les marches ci-dessus, qui en dépassent de %1 au plus.</translation>
     </message>
     <message>
         <source>Configuration space</source>
@@ -11804,7 +11808,7 @@
     </message>
     <message>
         <source>Everything that varies beside what comes of it; drag along an axis to keep a range, click it to let go</source>
-        <translation>Tout ce qui varie à côté de ce qui en résulte ; glissez le long d'un axe pour garder une plage, un clic la libère</translation>
+        <translation>Tout ce qui varie à côté de ce qui en résulte ; glisser le long d'un axe garde une plage, un clic la libère</translation>
     </message>
     <message>
         <source>Excess</source>
@@ -11867,8 +11871,20 @@
         <translation>Exporter les programmes vers</translation>
     </message>
     <message>
+        <source>Export programs of which only some are verified?</source>
+        <translation>Exporter des programmes dont seuls certains sont vérifiés ?</translation>
+    </message>
+    <message>
+        <source>Export programs that cannot be judged?</source>
+        <translation>Exporter des programmes qui ne peuvent pas être jugés ?</translation>
+    </message>
+    <message>
         <source>Export programs that failed?</source>
         <translation>Exporter des programmes qui ont échoué ?</translation>
+    </message>
+    <message>
+        <source>Export programs that were verified as they no longer are?</source>
+        <translation>Exporter des programmes qui ont changé depuis leur vérification ?</translation>
     </message>
     <message>
         <source>Export set&amp;up sheet…</source>
@@ -12084,7 +12100,7 @@
     </message>
     <message>
         <source>Fills one hole as you choose, or leaves it open; other steps fill the rest.</source>
-        <translation>Remplit un trou comme vous le choisissez, ou le laisse ouvert ; d'autres étapes remplissent le reste.</translation>
+        <translation>Remplit un trou comme choisi, ou le laisse ouvert ; d'autres étapes remplissent le reste.</translation>
     </message>
     <message>
         <source>Find by name, shape, material or library</source>
@@ -12129,10 +12145,6 @@
     <message>
         <source>Folder</source>
         <translation>Dossier</translation>
-    </message>
-    <message>
-        <source>Folder of libraries and templates</source>
-        <translation>Dossier des bibliothèques et modèles</translation>
     </message>
     <message>
         <source>Following the path on the machine…</source>
@@ -12385,6 +12397,10 @@
         <translation>Garder pour ce point</translation>
     </message>
     <message>
+        <source>Keep libraries and templates in</source>
+        <translation>Garder bibliothèques et modèles dans</translation>
+    </message>
+    <message>
         <source>Keep operations, tools and settings of this setup for other parts</source>
         <translation>Garder opérations, outils et réglages de ce posage pour d'autres pièces</translation>
     </message>
@@ -12419,6 +12435,10 @@
     <message>
         <source>Keys and mouse</source>
         <translation>Clavier et souris</translation>
+    </message>
+    <message>
+        <source>L&amp;ibraries and templates in</source>
+        <translation>B&amp;ibliothèques et modèles dans</translation>
     </message>
     <message>
         <source>Larger letters (Ctrl++)</source>
@@ -12891,6 +12911,10 @@
         <translation>N°</translation>
     </message>
     <message>
+        <source>Nobody knows what these programs leave of part, tool and machine.</source>
+        <translation>Personne ne sait ce que ces programmes laissent de la pièce, de l'outil et de la machine.</translation>
+    </message>
+    <message>
         <source>None is kept yet</source>
         <translation>Aucun n'est encore gardé</translation>
     </message>
@@ -12956,11 +12980,11 @@
     </message>
     <message>
         <source>Nothing is wanted: choose a measure.</source>
-        <translation>Rien n'est souhaité : choisissez une mesure.</translation>
+        <translation>Rien n'est souhaité : choisir une mesure.</translation>
     </message>
     <message>
         <source>Nothing may vary: choose at least two values of something, such as two tools.</source>
-        <translation>Rien ne peut varier : choisissez au moins deux valeurs de quelque chose, par exemple deux outils.</translation>
+        <translation>Rien ne peut varier : choisir au moins deux valeurs de quelque chose, par exemple deux outils.</translation>
     </message>
     <message>
         <source>Nothing moved</source>
@@ -14351,7 +14375,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
-        <translation>Le maillage a %1. Il est usiné tel quel ; l'atelier de scan le rend digne d'être usiné.</translation>
+        <translation>Le maillage a %1. Il est usiné tel quel ; l'atelier de scan permet de le réparer.</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
@@ -14499,7 +14523,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>The study is of another part, %1: open its project first.</source>
-        <translation>L'étude est celle d'une autre pièce, %1 : ouvrez d'abord son projet.</translation>
+        <translation>L'étude est celle d'une autre pièce, %1 : ouvrir d'abord son projet.</translation>
     </message>
     <message>
         <source>The surface of the verdict with its deviations: as figures in PLY, as colours in 3MF and STL</source>
@@ -14603,7 +14627,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>These are more than %1 combinations: let less vary, or try some of them.</source>
-        <translation>Cela fait plus de %1 combinaisons : faites varier moins, ou n'en essayez qu'une partie.</translation>
+        <translation>Cela fait plus de %1 combinaisons : faire varier moins, ou n'en essayer qu'une partie.</translation>
     </message>
     <message>
         <source>These values make no cutter.
@@ -14618,6 +14642,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>This candidate has not been verified finely.</source>
         <translation>Ce candidat n'a pas été vérifié finement.</translation>
+    </message>
+    <message>
+        <source>This is a file: choose a folder.</source>
+        <translation>C'est un fichier : choisir un dossier.</translation>
     </message>
     <message>
         <source>This is more work than usual: a tolerance or a step-over may be too small.</source>
@@ -14645,7 +14673,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Tick the tools and strategies that may serve; write several numbers with a semicolon between them</source>
-        <translation>Cochez les outils et les stratégies qui peuvent servir ; écrivez plusieurs nombres séparés par un point-virgule</translation>
+        <translation>Cocher les outils et les stratégies qui peuvent servir ; écrire plusieurs nombres séparés par un point-virgule</translation>
     </message>
     <message>
         <source>Time (%1)</source>
@@ -14746,6 +14774,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Tools and templates are kept here; those of another folder stay there. Empty: %1</source>
+        <translation>Outils et modèles sont gardés ici ; ceux d'un autre dossier y restent. Vide : %1</translation>
     </message>
     <message>
         <source>Tools of the library</source>
@@ -14986,6 +15018,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Verify again</source>
         <translation>Vérifier de nouveau</translation>
+    </message>
+    <message>
+        <source>Verify again (F6), or export programs that nobody has checked since.</source>
+        <translation>Vérifier de nouveau (F6), ou exporter des programmes que personne n'a contrôlés depuis.</translation>
+    </message>
+    <message>
+        <source>Verify all of them (F6), or export some that nobody has checked.</source>
+        <translation>Tout vérifier (F6), ou en exporter que personne n'a contrôlés.</translation>
     </message>
     <message>
         <source>Verify all se&amp;tups</source>
@@ -15265,7 +15305,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>all combinations</source>
-        <translation>toutes</translation>
+        <translation>toutes les combinaisons</translation>
     </message>
     <message>
         <source>all of the cutter</source>
