@@ -64,21 +64,25 @@ QPixmap sample_of(const LegendEntry& entry, double ratio, const QPalette& palett
     return pixmap;
 }
 
-} // namespace
-
-CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("cspace"));
-    auto* whole = new QVBoxLayout(this);
+/// A small window has no room for view, legend and words at once.
+QWidget* scrolled_body(QWidget& panel) {
+    auto* whole = new QVBoxLayout(&panel);
     whole->setContentsMargins(0, 0, 0, 0);
-    auto* scroll = new QScrollArea(this); // a small window has no room for view, legend and words at once
+    auto* scroll = new QScrollArea(&panel);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
-    auto* body = new QWidget(scroll);
-    scroll->setWidget(body);
+    scroll->setWidget(new QWidget(scroll));
     whole->addWidget(scroll);
-    auto* column = new QVBoxLayout(body);
+    return scroll->widget();
+}
+
+} // namespace
+
+CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("cspace"));
+    auto* column = new QVBoxLayout(scrolled_body(*this));
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
     auto* row = new QHBoxLayout;

@@ -155,6 +155,14 @@ QList<QWidget*> fields_of(const ParameterEditor& editor) {
     return fields;
 }
 
+/// Room for any unit that a project may have: that of millimetres is the wider one of feeds.
+int widest_unit(const ParameterInfo& info, const QFontMetrics& metrics) {
+    int widest = 0;
+    for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch})
+        widest = std::max(widest, metrics.horizontalAdvance(worded(edge_unit_name(info.quantity, unit))));
+    return widest;
+}
+
 /// What a screen reader says of the fields: the parameter's label, with the axis where there are three.
 void name_fields(const QList<QWidget*>& fields, const QString& label) {
     for (qsizetype i = 0; i < fields.size(); ++i) {
@@ -187,12 +195,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.editor->setProperty(help_key_property, text(info.key));
     row.unit = new QLabel(holder);
     row.unit->setForegroundRole(QPalette::PlaceholderText);
-    int widest_unit = 0; // that of millimetres is the wider one of feeds
-    for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch})
-        widest_unit =
-            std::max(widest_unit,
-                     row.unit->fontMetrics().horizontalAdvance(worded(edge_unit_name(info.quantity, unit))));
-    row.unit->setMinimumWidth(widest_unit);
+    row.unit->setMinimumWidth(widest_unit(info, row.unit->fontMetrics()));
     row.reset = new QToolButton(holder);
     row.reset->setIcon(icon(Icon::reset));
     row.reset->setIconSize(QSize(14, 14));
