@@ -213,7 +213,7 @@ QStringList look_at(const QWidget& w) {
 } // namespace
 
 QStringList cut_texts(const QWidget& window) {
-    QStringList found = look_at(window);
+    QStringList found;
     for (const QWidget* w : window.findChildren<const QWidget*>())
         if (w->isVisible() && w->window() == &window && !w->visibleRegion().isEmpty()) found << look_at(*w);
     found.removeDuplicates();
