@@ -151,7 +151,8 @@ void CSpaceController::leave() {
 }
 
 bool CSpaceController::active() const {
-    return at_ && panel_->isVisible() && !panel_->visibleRegion().isEmpty();
+    // The view, as what scrolls covers the panel itself.
+    return at_ && panel_->isVisible() && !panel_->view()->visibleRegion().isEmpty();
 }
 
 std::size_t CSpaceController::point_count() const {
