@@ -80,10 +80,14 @@ void remove_boundary(Document& document, std::size_t i) {
     const std::string name = document.project().boundaries.at(i).name;
     for (const auto& operation : document.project().operations) {
         const OperationCommon& common = operation->common();
-        if (common.boundary == name || common.avoid == name)
+        const std::vector<std::string> curves = operation->curve_names();
+        const bool followed = std::find(curves.begin(), curves.end(), name) != curves.end();
+        if (common.boundary == name || common.avoid == name || followed)
             throw Error(ErrorCode::missing_reference, "boundary '" + name + "'",
                         "operation '" + common.name
-                            + (common.boundary == name ? "' cuts within it" : "' keeps off it"),
+                            + (common.boundary == name ? "' cuts within it"
+                               : common.avoid == name  ? "' keeps off it"
+                                                       : "' follows it"),
                         "let the operation name another boundary, or none, first");
     }
     document.change(Document::tr("Remove boundary"),
@@ -95,8 +99,7 @@ void rename_boundary(Document& document, std::size_t i, const std::string& name)
     document.change(Document::tr("Rename boundary"), [&](Project& p) {
         p.boundaries.at(i).name = name;
         for (const auto& operation : p.operations)
-            for (std::string* named : {&operation->common().boundary, &operation->common().avoid})
-                if (*named == before) *named = name;
+            operation->rename_boundary(before, name);
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/job/cache_key.h"
 #include "core/mesh/grown.h"
+#include "core/strategy/curves/plan_curve.h"
 
 #include <algorithm>
 
@@ -68,6 +69,9 @@ std::string bounds_key(const Project& project, const Operation& operation) {
         key.add("within").add(std::string_view(text_of(project, project.boundary_of(common.boundary))));
     if (!common.avoid.empty())
         key.add("avoid").add(std::string_view(text_of(project, project.boundary_of(common.avoid))));
+    for (const std::string& name : operation.curve_names())
+        key.add("follow").add(
+            std::string_view(name.empty() ? name : text_of(project, project.boundary_of(name))));
     return key.text();
 }
 
@@ -93,6 +97,21 @@ Boundary with_facets_of_faces(const Boundary& boundary, const PreparedPart& part
     made.facets = facet_ranges_text(facets);
     made.of_facets = long(part.faces->size());
     return made;
+}
+
+NamedCurves BoundsCache::curves(const Project& project, const std::string& name, const Progress& progress) {
+    NamedCurves curves{name, {}};
+    if (name.empty()) return curves;
+    const Boundary& boundary = project.boundary_of(name);
+    if (boundary.kind != Boundary::Kind::curve) {
+        curves.all = joined_loops(region(project, boundary, progress)->border());
+        return curves;
+    }
+    PlanCurve curve{{}, true};
+    for (const CurveCorner& corner : boundary.curve)
+        curve.points.emplace_back((turn_ * Vec3(corner.at[0], corner.at[1], corner.at[2])).head<2>());
+    curves.all.push_back(std::move(curve));
+    return curves;
 }
 
 std::shared_ptr<const BoundaryRegion> BoundsCache::region(const Project& project, const Boundary& boundary,
@@ -144,7 +163,9 @@ OperationBounds BoundsCache::of(const Project& project, const Operation& operati
         held_ = held;
     }
     prepared_ = &part;
-    OperationBounds bounds{held.all, kept_fixtures(part, held.fixtures), nullptr};
+    OperationBounds bounds{held.all, kept_fixtures(part, held.fixtures), nullptr, {}};
+    for (const std::string& name : operation.curve_names())
+        bounds.curves.push_back(curves(project, name, progress.part(0, 0)));
     const OperationCommon& common = operation.common();
     if (!common.avoid.empty())
         avoid(project, project.boundary_of(common.avoid), common.avoid_distance, bounds,

@@ -15,6 +15,7 @@ struct OperationBounds {
     ContactIndexPtr contact;                  ///< part, and after its facets what is kept off beside it
     KeptFixtures off;                         ///< `grown` is null where there is nothing
     std::shared_ptr<const KeptWithin> within; ///< null: everywhere
+    std::vector<NamedCurves> curves;          ///< that its passes follow
 };
 
 /// Another text where an operation's boundaries say something else. Empty where it names none.
@@ -44,6 +45,8 @@ public:
 private:
     std::shared_ptr<const BoundaryRegion> region(const Project& project, const Boundary& boundary,
                                                  const Progress& progress);
+    /// A drawn curve as it is drawn, of another boundary its border, looked at along the tool axis.
+    NamedCurves curves(const Project& project, const std::string& name, const Progress& progress);
     void avoid(const Project& project, const Boundary& boundary, double distance, OperationBounds& bounds,
                const Progress& progress);
 

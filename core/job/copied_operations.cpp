@@ -55,6 +55,7 @@ private:
         take_tools(*operation);
         for (std::string OperationCommon::*where : {&OperationCommon::boundary, &OperationCommon::avoid})
             take_boundary(common.name, common.*where);
+        take_curves(*operation);
         if (!same_part_) leave_places(*operation);
         pasted_.operations.push_back(std::move(operation));
     }
@@ -93,6 +94,21 @@ private:
         name.clear();
     }
 
+    void take_curves(Operation& operation) {
+        const auto& there = to_.boundaries;
+        for (const std::string& name : operation.curve_names()) {
+            if (name.empty()
+                || std::any_of(there.begin(), there.end(), [&](const Boundary& b) { return b.name == name; }))
+                continue;
+            pasted_.remarks.push_back("'" + printable(operation.common().name) + "' followed '"
+                                      + printable(name)
+                                      + "', which this setup does not have: it follows the outline now");
+            for (const std::string& key : operation.curve_keys())
+                operation.set(key, std::string());
+            return;
+        }
+    }
+
     void leave_places(Operation& operation) {
         for (const ParameterInfo* info : forget_places(operation))
             pasted_.remarks.push_back("'" + printable(operation.common().name) + "': '" + info->label
@@ -119,8 +135,11 @@ std::string copied_operation(const Project& project, std::size_t operation) {
     for (const Tool& t : project.tools)
         if (std::find(numbers.begin(), numbers.end(), t.number) != numbers.end()) alone.tools.push_back(t);
     const OperationCommon& common = alone.operations.front()->common();
+    const std::vector<std::string> curves = alone.operations.front()->curve_names();
     for (const Boundary& b : project.boundaries)
-        if (b.name == common.boundary || b.name == common.avoid) alone.boundaries.push_back(b);
+        if (b.name == common.boundary || b.name == common.avoid
+            || std::find(curves.begin(), curves.end(), b.name) != curves.end())
+            alone.boundaries.push_back(b);
     return project_to_json(alone);
 }
 

@@ -525,6 +525,7 @@ void Planner::Cache::plan_path(const Project& project, const Operation& operatio
     const OperationBounds bound =
         view.bounds.of(project, operation, *view.part, {view.kept_off, view.fixtures}, progress.part(0, 0));
     context.contact = bound.contact;
+    context.curves = bound.curves;
     result.within = bound.within;
     result.view = view.turn;
     if (bound.off.grown) context.fixtures_box = bound.off.grown->mesh().box();

@@ -271,6 +271,9 @@ void check_bounds_of(const Operation& operation, const Project& p, const std::st
     };
     check(operation.common().boundary, "boundary");
     check(operation.common().avoid, "avoid");
+    const std::vector<std::string> keys = operation.curve_keys(), names = operation.curve_names();
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        check(names[i], keys[i].c_str());
     if (operation.turning() && !(operation.common().boundary.empty() && operation.common().avoid.empty()))
         throw Error(ErrorCode::out_of_range,
                     place + (operation.common().boundary.empty() ? ".avoid" : ".boundary"),

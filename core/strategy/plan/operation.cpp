@@ -46,6 +46,20 @@ Vec3 Operation::tool_axis() const {
     return Vec3(x, y, z).normalized();
 }
 
+std::vector<std::string> Operation::curve_names() const {
+    std::vector<std::string> names;
+    for (const std::string& key : curve_keys())
+        names.push_back(std::get<std::string>(get(key)));
+    return names;
+}
+
+void Operation::rename_boundary(const std::string& from, const std::string& to) {
+    for (std::string* name : {&common().boundary, &common().avoid})
+        if (*name == from) *name = to;
+    for (const std::string& key : curve_keys())
+        if (std::get<std::string>(get(key)) == from) set(key, to);
+}
+
 bool Operation::is_indexed() const {
     return keeps_axis() && tool_axis() != Vec3::UnitZ();
 }

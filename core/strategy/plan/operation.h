@@ -47,6 +47,18 @@ struct EarlierLeft {
     double rest_spacing = 0;       ///< of its samples, mm
 };
 
+/// A curve in the plane, looked at along the tool axis.
+struct PlanCurve {
+    std::vector<Vec2> points; ///< two or more; mm
+    bool closed = false;      ///< goes on from the last to the first
+};
+
+/// The curves of a boundary that an operation's passes follow (Operation::curve_keys).
+struct NamedCurves {
+    std::string name; ///< of the boundary; empty: none is named
+    std::vector<PlanCurve> all;
+};
+
 /// What every strategy gets to work with; all of it const and shared.
 struct PlanContext {
     MeshPtr part;
@@ -70,6 +82,8 @@ struct PlanContext {
     std::shared_ptr<const EarlierLeft> left;
     /// Those of Operation::further_tools, in their order.
     std::vector<Tool> further_tools;
+    /// Those of Operation::curve_keys, in their order.
+    std::vector<NamedCurves> curves;
     /// Curvatures of the part's vertices, where more is known of them than its facets tell (a piece cut out
     /// of a part).
     std::shared_ptr<const std::vector<VertexCurvature>> curvatures;
@@ -192,6 +206,12 @@ public:
     virtual void renumber_tool(long from, long to) {
         if (common().tool == from) common().tool = to;
     }
+    /// Keys of parameters that name boundaries whose curves the passes follow; an empty name stands for none.
+    virtual std::vector<std::string> curve_keys() const { return {}; }
+    /// The boundaries that they name.
+    std::vector<std::string> curve_names() const;
+    /// A boundary that it names got another name.
+    void rename_boundary(const std::string& from, const std::string& to);
     /// What shank and holder keep from the part, mm.
     virtual double holder_clearance() const { return 0; }
 

@@ -48,6 +48,8 @@ public:
     /// Whether the place of the part nearest to p lies in it. `hint`: a facet of the part that may be near,
     /// or no_index; becomes the nearest one.
     bool holds(const Vec3& p, Index& hint) const;
+    /// What bounds it looked at along Z, without its offset.
+    const std::vector<PlanEdge>& border() const { return plan_.border(); }
     /// How far within the region's border a place lies, looked at along Z; below 0 outside; mm.
     double depth(const Vec2& p) const;
 
