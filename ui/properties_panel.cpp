@@ -271,7 +271,10 @@ std::map<std::string, std::vector<FormChoice>> operation_choices(const Project& 
             {"previous_tool", tool_choices(project, false)},
             {"rework_tool", tool_choices(project, true)},
             {"boundary", boundary_choices(project, PropertiesPanel::tr("everywhere"))},
-            {"avoid", boundary_choices(project, PropertiesPanel::tr("none"))}};
+            {"avoid", boundary_choices(project, PropertiesPanel::tr("none"))},
+            {"curve", boundary_choices(project, PropertiesPanel::tr("the outline"))},
+            {"first_curve", boundary_choices(project, PropertiesPanel::tr("half of the outline"))},
+            {"second_curve", boundary_choices(project, PropertiesPanel::tr("the other half"))}};
 }
 
 /// Where the manual tells of the parameters of a node.

@@ -147,6 +147,10 @@ private:
             common().tolerance = before->common().tolerance;
             common().allowance = before->purpose() == Purpose::finishing ? before->common().allowance : 0;
         }
+        if (!made_.operation->has("previous_tool")) {
+            common().tool = previous->number; // it goes over the valleys that its own tool left
+            return;
+        }
         made_.operation->set("previous_tool", previous->number);
         // It comes in where the other one does not.
         const Tool* tool = largest([&](const Tool& t) {

@@ -48,6 +48,10 @@
         <translation>'{1}' definiert Geometrie oder eine Variable</translation>
     </message>
     <message>
+        <source>'{1}' followed '{2}', which this setup does not have: it follows the outline now</source>
+        <translation>„{1}“ folgte „{2}“, das es in dieser Aufspannung nicht gibt: sie folgt jetzt dem Umriss</translation>
+    </message>
+    <message>
         <source>'{1}' has a comma</source>
         <translation>'{1}' hat ein Komma</translation>
     </message>
@@ -316,6 +320,10 @@
         <translation>A dreht um X, B um Y, C um Z: den Namen oder die Richtung berichtigen</translation>
     </message>
     <message>
+        <source>About the middle</source>
+        <translation>Um die Mitte</translation>
+    </message>
+    <message>
         <source>Accelerations</source>
         <translation>Beschleunigungen</translation>
     </message>
@@ -330,6 +338,10 @@
     <message>
         <source>Allowance</source>
         <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Along a curve</source>
+        <translation>Entlang einer Kurve</translation>
     </message>
     <message>
         <source>Along which the cylinder lies, through the middle of the part's box.</source>
@@ -484,6 +496,10 @@
         <translation>CUTTER ist kein konvexer Fräser: {1}</translation>
     </message>
     <message>
+        <source>Centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
         <source>Checking passes</source>
         <translation>Bahnen werden geprüft</translation>
     </message>
@@ -624,6 +640,10 @@
         <translation>Schnitt, {1}</translation>
     </message>
     <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
         <source>Cuts only where more than the tolerance stands of the stock, as raw material and the operations before left it.</source>
         <translation>Fräst nur, wo vom Rohteil mehr als die Toleranz steht, wie das Rohmaterial und die Operationen davor es ließen.</translation>
     </message>
@@ -682,6 +702,10 @@
     <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of a cut</source>
+        <translation>Tiefe eines Schnitts</translation>
     </message>
     <message>
         <source>Depth of cut</source>
@@ -750,6 +774,10 @@
     <message>
         <source>Distance between neighbouring layers; from_tolerance is everywhere the largest that leaves no more than the tolerance above the allowance, at most the diameter, and puts lines closer where a floor stays.</source>
         <translation>Abstand benachbarter Ebenen; aus der Toleranz ist überall der größte, der nicht mehr als die Toleranz über dem Aufmaß lässt, höchstens der Durchmesser, und legt Linien dichter, wo ein Boden bleibt.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring passes, looked at from above: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
+        <translation>Abstand benachbarter Bahnen, von oben gesehen: adaptiv ist überall der größte, den die Toleranz erlaubt; eine Länge wird eingehalten, welche Rillen sie auch lässt.</translation>
     </message>
     <message>
         <source>Distance that shank and holder keep from the part.</source>
@@ -884,6 +912,10 @@
         <translation>Schlichten mit fünf Achsen</translation>
     </message>
     <message>
+        <source>First curve</source>
+        <translation>Erste Kurve</translation>
+    </message>
+    <message>
         <source>First point of an axis through two points.</source>
         <translation>Erster Punkt einer Achse durch zwei Punkte.</translation>
     </message>
@@ -918,6 +950,10 @@
     <message>
         <source>Flutes</source>
         <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Following curves</source>
+        <translation>Kurven werden verfolgt</translation>
     </message>
     <message>
         <source>Following levels</source>
@@ -958,6 +994,10 @@
     <message>
         <source>From and to: 0 is level, 90 an upright wall, more an underside.</source>
         <translation>Von und bis: 0 ist waagrecht, 90 eine senkrechte Wand, mehr eine Unterseite.</translation>
+    </message>
+    <message>
+        <source>From radius</source>
+        <translation>Ab Radius</translation>
     </message>
     <message>
         <source>From the axis to the side: positive when the tool widens upward, negative for a dovetail.</source>
@@ -1084,8 +1124,16 @@
         <translation>Wie tief Fläche in einem Fräser liegen darf, bevor es als Verletzung gilt; auto: das Doppelte der Sehnentoleranz, die die Wege halten.</translation>
     </message>
     <message>
+        <source>How far below the surface the cutter goes, along its axis. 0 stays on it.</source>
+        <translation>Wie weit der Fräser unter die Oberfläche geht, längs seiner Achse. 0 bleibt auf ihr.</translation>
+    </message>
+    <message>
         <source>How far beside the centre line the cutter runs, so that a ball does not cut with its tip.</source>
         <translation>Wie weit der Fräser neben der Mittellinie läuft, damit eine Kugel nicht mit der Spitze schneidet.</translation>
+    </message>
+    <message>
+        <source>How far beside the curve, on the side that is chosen. auto is the cutter's radius and the allowance, so that the cutter touches the curve.</source>
+        <translation>Wie weit neben der Kurve, auf der gewählten Seite. auto ist der Radius des Fräsers und das Aufmaß, sodass der Fräser die Kurve berührt.</translation>
     </message>
     <message>
         <source>How far cutter, shank and holder keep from these facets.</source>
@@ -1106,6 +1154,10 @@
     <message>
         <source>How far motions may run beside the exact path, to either side</source>
         <translation>Wie weit Bewegungen neben dem genauen Weg verlaufen dürfen, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>How far one of several cuts goes below the one before.</source>
+        <translation>Wie weit einer von mehreren Schnitten unter den vorigen geht.</translation>
     </message>
     <message>
         <source>How far passes go on over what the previous tool has cut; auto is half the tool's radius.</source>
@@ -1158,6 +1210,10 @@
     <message>
         <source>How much the normals of facets side by side may differ on a surface of a STEP or IGES file.</source>
         <translation>Wie stark sich die Normalen benachbarter Facetten auf einer Fläche einer STEP- oder IGES-Datei unterscheiden dürfen.</translation>
+    </message>
+    <message>
+        <source>How often the curve is gone along, each time deeper; the last one is the depth.</source>
+        <translation>Wie oft der Kurve gefolgt wird, jedes Mal tiefer; der letzte Schnitt hat die Tiefe.</translation>
     </message>
     <message>
         <source>How the allowance is kept: contact is exact; vertices moves every vertex along its normal, cruder, and says what it cuts beyond.</source>
@@ -1440,6 +1496,10 @@
         <translation>Seiten werden gesucht</translation>
     </message>
     <message>
+        <source>Looking for valleys</source>
+        <translation>Täler werden gesucht</translation>
+    </message>
+    <message>
         <source>Looking for what stays</source>
         <translation>Gesucht wird, was bleibt</translation>
     </message>
@@ -1528,6 +1588,10 @@
         <translation>Mehr als der Werkzeugradius, der {1} ist</translation>
     </message>
     <message>
+        <source>Morph</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
         <source>Mould cavity</source>
         <translation>Formnest</translation>
     </message>
@@ -1556,12 +1620,24 @@
         <translation>Name</translation>
     </message>
     <message>
+        <source>Name of a boundary of the setup, the curve or border of which is followed, seen from above. A drawn curve is taken without its offset. Empty: the outline of what is cut.</source>
+        <translation>Name einer Begrenzung der Aufspannung, deren Kurve oder Rand gefolgt wird, von oben gesehen. Eine gezeichnete Kurve gilt ohne ihren Versatz. Leer: der Umriss dessen, was gefräst wird.</translation>
+    </message>
+    <message>
+        <source>Name of a boundary of the setup, with the curve at which the passes begin. Empty, both: halves of the outline of what is cut.</source>
+        <translation>Name einer Begrenzung der Aufspannung mit der Kurve, an der die Bahnen beginnen. Beide leer: Hälften des Umrisses dessen, was gefräst wird.</translation>
+    </message>
+    <message>
         <source>Name of a boundary of the setup: the operation cuts within it. Empty: everywhere.</source>
         <translation>Name einer Begrenzung der Aufspannung: die Operation fräst darin. Leer: überall.</translation>
     </message>
     <message>
         <source>Name of a boundary whose facets the tool keeps off. Empty: none.</source>
         <translation>Name einer Begrenzung, deren Facetten das Werkzeug meidet. Leer: keine.</translation>
+    </message>
+    <message>
+        <source>Name of the boundary with the curve at which the passes end.</source>
+        <translation>Name der Begrenzung mit der Kurve, an der die Bahnen enden.</translation>
     </message>
     <message>
         <source>Name of the operation; also names its output file.</source>
@@ -1732,6 +1808,10 @@
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
         <source>OpenCASCADE cannot work with it: {1} {2}</source>
         <translation>OpenCASCADE kommt damit nicht zurecht: {1} {2}</translation>
     </message>
@@ -1808,12 +1888,36 @@
         <translation>Bahnen</translation>
     </message>
     <message>
+        <source>Passes about the centre</source>
+        <translation>Bahnen um den Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Passes along valleys</source>
+        <translation>Bahnen entlang der Täler</translation>
+    </message>
+    <message>
+        <source>Passes from curve to curve</source>
+        <translation>Bahnen von Kurve zu Kurve</translation>
+    </message>
+    <message>
+        <source>Passes from the centre outward</source>
+        <translation>Bahnen vom Mittelpunkt nach außen</translation>
+    </message>
+    <message>
+        <source>Passes on either side of the one along the valley. 0: that one alone.</source>
+        <translation>Bahnen auf jeder Seite derjenigen entlang des Tals. 0: nur diese.</translation>
+    </message>
+    <message>
         <source>Passes over shallow surface</source>
         <translation>Bahnen über flache Flächen</translation>
     </message>
     <message>
         <source>Pattern</source>
         <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Kehlbahnen</translation>
     </message>
     <message>
         <source>Picked point</source>
@@ -1840,6 +1944,10 @@
         <translation>Platz im Magazin; Operationen nennen das Werkzeug so.</translation>
     </message>
     <message>
+        <source>Place of the centre, seen from above, where it is not the middle.</source>
+        <translation>Ort des Mittelpunkts, von oben gesehen, wo er nicht die Mitte ist.</translation>
+    </message>
+    <message>
         <source>Place on the part whose nearest contact point it is for.</source>
         <translation>Stelle auf dem Teil, für deren nächsten Berührpunkt sie gilt.</translation>
     </message>
@@ -1850,6 +1958,10 @@
     <message>
         <source>Placing drive planes</source>
         <translation>Führungsebenen werden gelegt</translation>
+    </message>
+    <message>
+        <source>Placing turns</source>
+        <translation>Windungen werden gelegt</translation>
     </message>
     <message>
         <source>Planning passes</source>
@@ -1934,6 +2046,10 @@
     <message>
         <source>Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands for three motions or more: every end of a motion within a quarter of the chord tolerance of the arc, and the arc within half of it of the motions. Where the tool leans, in tilted planes alone.</source>
         <translation>Programme mit drei Achsen enthalten Bögen (`G2`, `G3`), wo die Steuerung sie kennt und einer für drei Bewegungen oder mehr steht: jedes Ende einer Bewegung innerhalb eines Viertels der Sehnentoleranz vom Bogen, und der Bogen innerhalb der Hälfte davon. Wo das Werkzeug geneigt ist, nur in geschwenkten Ebenen.</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
     </message>
     <message>
         <source>Raise lead limit</source>
@@ -2080,6 +2196,10 @@
         <translation>Skalierung</translation>
     </message>
     <message>
+        <source>Second curve</source>
+        <translation>Zweite Kurve</translation>
+    </message>
+    <message>
         <source>Second point of an axis through two points.</source>
         <translation>Zweiter Punkt einer Achse durch zwei Punkte.</translation>
     </message>
@@ -2124,8 +2244,20 @@
         <translation>Anteil</translation>
     </message>
     <message>
+        <source>Shorter valleys are left out, and shorter gaps in one are passed over. auto is the cutter's radius.</source>
+        <translation>Kürzere Täler werden ausgelassen und kürzere Lücken in einem übergangen. auto ist der Radius des Fräsers.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
         <source>Side feed</source>
         <translation>Seitenvorschub</translation>
+    </message>
+    <message>
+        <source>Side passes</source>
+        <translation>Seitliche Bahnen</translation>
     </message>
     <message>
         <source>Sides</source>
@@ -2174,6 +2306,10 @@
     <message>
         <source>Smallest strip</source>
         <translation>Kleinster Streifen</translation>
+    </message>
+    <message>
+        <source>Smallest valley</source>
+        <translation>Kleinstes Tal</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -2242,6 +2378,10 @@
     <message>
         <source>Spindle, rpm</source>
         <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
     </message>
     <message>
         <source>Square prism</source>
@@ -2424,12 +2564,24 @@
         <translation>Die binäre STL-Datei beginnt wie ein Text mit 'solid'; sie wurde binär gelesen.</translation>
     </message>
     <message>
+        <source>The centre is the middle of what is cut, seen from above, whatever the centre says.</source>
+        <translation>Der Mittelpunkt ist die Mitte dessen, was gefräst wird, von oben gesehen, was auch immer als Mittelpunkt angegeben ist.</translation>
+    </message>
+    <message>
         <source>The control that programs are written for, see below, or a file of your own (`resources/posts/README.md`); its name ends with `.json`, a relative one starts at the project file. Without it programs are APT alone.</source>
         <translation>Die Steuerung, für die Programme geschrieben werden, oder eine eigene Datei (`resources/posts/README.md`); ihr Name endet auf `.json`, ein relativer beginnt bei der Projektdatei. Ohne sie sind Programme nur APT.</translation>
     </message>
     <message>
         <source>The control's work coordinate system that programs are told in: `G54`, or the number of a preset. Default: the control's first, or what is active in it.</source>
         <translation>Das Werkstückkoordinatensystem der Steuerung, in dem Programme stehen: `G54`, oder die Nummer einer Voreinstellung. Vorgabe: das erste der Steuerung, oder was darin aktiv ist.</translation>
+    </message>
+    <message>
+        <source>The curve ends at its last corner, instead of going back to the first.</source>
+        <translation>Die Kurve endet an ihrer letzten Ecke, statt zur ersten zurückzugehen.</translation>
+    </message>
+    <message>
+        <source>The curves end at their last corners, instead of going back to the first.</source>
+        <translation>Die Kurven enden an ihren letzten Ecken, statt zu den ersten zurückzugehen.</translation>
     </message>
     <message>
         <source>The cylinders that the holder is made of, from the shank upward.</source>
@@ -2644,6 +2796,10 @@
         <translation>Nach</translation>
     </message>
     <message>
+        <source>To radius</source>
+        <translation>Bis Radius</translation>
+    </message>
+    <message>
         <source>Together</source>
         <translation>Zusammen</translation>
     </message>
@@ -2812,6 +2968,10 @@
         <translation>Was gefräst wird.</translation>
     </message>
     <message>
+        <source>What is farther from the centre is not cut. auto goes as far as the part.</source>
+        <translation>Was weiter vom Mittelpunkt entfernt ist, wird nicht gefräst. auto geht so weit wie das Teil.</translation>
+    </message>
+    <message>
         <source>What is left, 95 % below</source>
         <translation>Was übrig ist, 95 % darunter</translation>
     </message>
@@ -2822,6 +2982,10 @@
     <message>
         <source>What is left, largest</source>
         <translation>Was übrig ist, größtes</translation>
+    </message>
+    <message>
+        <source>What is nearer to the centre is not cut.</source>
+        <translation>Was näher am Mittelpunkt liegt, wird nicht gefräst.</translation>
     </message>
     <message>
         <source>What it is called.</source>
@@ -2888,6 +3052,10 @@
         <translation>Wo Anstellwinkel bis zur angenommenen Grenze auf Bahnen über das ganze Teil weniger Zeit brauchen als Grenze und Nacharbeit zusammen, werden sie verwendet. Aus: die Grenze wird eingehalten. Bearbeitete Bereiche behalten sie auch.</translation>
     </message>
     <message>
+        <source>Where no curves are named: the outline is divided where it reaches farthest in this direction, either way. auto picks x or y by the change of normals.</source>
+        <translation>Wo keine Kurven genannt sind: Der Umriss wird dort geteilt, wo er in dieser Richtung am weitesten reicht, hin wie her. auto wählt x oder y nach der Änderung der Normalen.</translation>
+    </message>
+    <message>
         <source>Where on the box of stock or part the zero is, in X, Y and Z: -1 its low side, 0 its middle, 1 its high side. `0, 0, 1`: the middle of its top.</source>
         <translation>Wo am Quader um Rohteil oder Teil der Nullpunkt liegt, in X, Y und Z: -1 die niedrige Seite, 0 die Mitte, 1 die hohe Seite. `0, 0, 1`: die Mitte der Oberseite.</translation>
     </message>
@@ -2898,6 +3066,10 @@
     <message>
         <source>Where the middle of its bottom is; how far a mesh is moved. The part's placement does not move it.</source>
         <translation>Wo die Mitte seines Bodens ist; wie weit ein Netz verschoben wird. Die Lage des Teils bewegt es nicht.</translation>
+    </message>
+    <message>
+        <source>Where the tip runs: on the curve, to its left or to its right. Closed curves run counter-clockwise, so what is left lies within.</source>
+        <translation>Wo die Spitze läuft: auf der Kurve, links oder rechts von ihr. Geschlossene Kurven laufen gegen den Uhrzeigersinn, links ist also innen.</translation>
     </message>
     <message>
         <source>Which objects of a 3MF or glTF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate, or in its scene.</source>
@@ -3572,6 +3744,10 @@
         <translation>alles wird in parallelen Bahnen gefräst: {1}</translation>
     </message>
     <message>
+        <source>all of it lies off the part, as at {1}</source>
+        <translation>sie liegt ganz außerhalb des Teils, etwa bei {1}</translation>
+    </message>
+    <message>
         <source>all of them are switched off</source>
         <translation>alle sind ausgeschaltet</translation>
     </message>
@@ -3988,8 +4164,20 @@
         <translation>Ort, Rechte und Datenträger prüfen</translation>
     </message>
     <message>
+        <source>check part and boundary</source>
+        <translation>Teil und Begrenzung prüfen</translation>
+    </message>
+    <message>
+        <source>check part and curves</source>
+        <translation>Teil und Kurven prüfen</translation>
+    </message>
+    <message>
         <source>check part and direction</source>
         <translation>Teil und Richtung prüfen</translation>
+    </message>
+    <message>
+        <source>check part, centre and radii</source>
+        <translation>Teil, Mittelpunkt und Radien prüfen</translation>
     </message>
     <message>
         <source>check part, tool and direction</source>
@@ -4194,6 +4382,10 @@
     <message>
         <source>choose a smaller depth or a longer tool</source>
         <translation>eine kleinere Tiefe oder ein längeres Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller offset or the other side</source>
+        <translation>einen kleineren Versatz oder die andere Seite wählen</translation>
     </message>
     <message>
         <source>choose a smaller tool, or the one that cut before</source>
@@ -4440,8 +4632,16 @@
         <translation>gezogene Punkte</translation>
     </message>
     <message>
+        <source>draw curves that run side by side</source>
+        <translation>Kurven zeichnen, die nebeneinander verlaufen</translation>
+    </message>
+    <message>
         <source>draw the curve on the part, or list its corners</source>
         <translation>die Kurve auf das Teil zeichnen oder ihre Ecken auflisten</translation>
+    </message>
+    <message>
+        <source>draw them apart</source>
+        <translation>sie getrennt zeichnen</translation>
     </message>
     <message>
         <source>each</source>
@@ -4722,6 +4922,10 @@
     <message>
         <source>from tolerance</source>
         <translation>aus der Toleranz</translation>
+    </message>
+    <message>
+        <source>from {1} to {2} of the centre there is nothing</source>
+        <translation>von {1} bis {2} vom Mittelpunkt liegt nichts</translation>
     </message>
     <message>
         <source>from {1}° to {2}° is no range of postures</source>
@@ -5412,6 +5616,14 @@
         <translation>ist {1}</translation>
     </message>
     <message>
+        <source>it asks for more than {1} passes</source>
+        <translation>das verlangt mehr als {1} Bahnen</translation>
+    </message>
+    <message>
+        <source>it asks for more than {1} turns</source>
+        <translation>das verlangt mehr als {1} Windungen</translation>
+    </message>
+    <message>
         <source>it begins with a point</source>
         <translation>er beginnt mit einem Punkt</translation>
     </message>
@@ -5442,6 +5654,10 @@
     <message>
         <source>it cuts while the spindle stands</source>
         <translation>es fräst, während die Spindel steht</translation>
+    </message>
+    <message>
+        <source>it cuts {1} into the part on purpose: the verification calls that a gouge, unless its limit is more</source>
+        <translation>sie schneidet absichtlich {1} ins Teil: die Prüfung nennt das eine Verletzung, es sei denn, ihre Grenze ist größer</translation>
     </message>
     <message>
         <source>it cuts, and no speed of the spindle is given</source>
@@ -5628,6 +5844,10 @@
         <translation>ihr Werkzeug ist nicht mehr im Projekt</translation>
     </message>
     <message>
+        <source>its two curves cross or touch at {1}</source>
+        <translation>ihre zwei Kurven kreuzen oder berühren sich bei {1}</translation>
+    </message>
+    <message>
         <source>its worker ended with status {1}</source>
         <translation>sein Arbeiter endete mit Status {1}</translation>
     </message>
@@ -5780,6 +6000,10 @@
         <translation>weggelassen: {1}</translation>
     </message>
     <message>
+        <source>leftward</source>
+        <translation>links</translation>
+    </message>
+    <message>
         <source>lengths in {1}</source>
         <translation>Längen in {1}</translation>
     </message>
@@ -5794,6 +6018,10 @@
     <message>
         <source>let coarser settings vary</source>
         <translation>gröbere Einstellungen variieren lassen</translation>
+    </message>
+    <message>
+        <source>let it end farther out than it begins</source>
+        <translation>sie weiter außen enden lassen, als sie beginnt</translation>
     </message>
     <message>
         <source>let less vary</source>
@@ -5972,6 +6200,14 @@
         <translation>Bewegung {1}: </translation>
     </message>
     <message>
+        <source>move it onto the part</source>
+        <translation>sie auf das Teil verschieben</translation>
+    </message>
+    <message>
+        <source>move its curves or its centre onto the part</source>
+        <translation>ihre Kurven oder ihren Mittelpunkt auf das Teil verschieben</translation>
+    </message>
+    <message>
         <source>move the part onto the axis, let the axis go through the part's middle, or give two points of it</source>
         <translation>das Teil auf die Achse schieben, die Achse durch die Mitte des Teils legen, oder zwei Punkte von ihr angeben</translation>
     </message>
@@ -6082,6 +6318,10 @@
     <message>
         <source>name the machine as people call it</source>
         <translation>die Maschine nennen, wie sie heißt</translation>
+    </message>
+    <message>
+        <source>name the other one too, or none to take the outline</source>
+        <translation>auch die andere nennen oder keine, um den Umriss zu nehmen</translation>
     </message>
     <message>
         <source>name the other scan's file</source>
@@ -6232,6 +6472,10 @@
         <translation>keine Bahn liegt darin</translation>
     </message>
     <message>
+        <source>no pass meets the part</source>
+        <translation>keine Bahn trifft das Teil</translation>
+    </message>
+    <message>
         <source>no pass meets the stock</source>
         <translation>keine Bahn trifft das Rohteil</translation>
     </message>
@@ -6274,6 +6518,10 @@
     <message>
         <source>no tool is in the spindle</source>
         <translation>kein Werkzeug ist in der Spindel</translation>
+    </message>
+    <message>
+        <source>no valley lies where something is to be cut</source>
+        <translation>kein Tal liegt dort, wo etwas zu fräsen ist</translation>
     </message>
     <message>
         <source>no value</source>
@@ -6384,12 +6632,20 @@
         <translation>nichts vom Teil liegt so weit darin, dass der Fräser Platz hat</translation>
     </message>
     <message>
+        <source>nothing of the part lies where it is to cut</source>
+        <translation>nichts vom Teil liegt dort, wo sie fräsen soll</translation>
+    </message>
+    <message>
         <source>nothing of the part that can be cut {1} has a slope from {2} to {3} degrees</source>
         <translation>nichts vom Teil, was {1} bearbeitet werden kann, hat eine Neigung von {2} bis {3} Grad</translation>
     </message>
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>vom Rohteil steht nichts über dem Teil und dem Aufmaß von {1}</translation>
+    </message>
+    <message>
+        <source>nothing runs {1} to that side of it</source>
+        <translation>nichts verläuft {1} auf dieser Seite von ihr</translation>
     </message>
     <message>
         <source>nothing says what the feed is per</source>
@@ -6452,6 +6708,10 @@
         <translation>von dem, was über dem Aufmaß steht, erreicht dieses Werkzeug nichts</translation>
     </message>
     <message>
+        <source>on</source>
+        <translation>auf</translation>
+    </message>
+    <message>
         <source>one</source>
         <translation>eines</translation>
     </message>
@@ -6470,6 +6730,10 @@
     <message>
         <source>only a step of kind hole leaves a hole open</source>
         <translation>nur ein Schritt der Art Loch lässt ein Loch offen</translation>
+    </message>
+    <message>
+        <source>only one of its two curves is named</source>
+        <translation>nur eine ihrer zwei Kurven ist genannt</translation>
     </message>
     <message>
         <source>only {1}/OFF is read; output plain GOTO statements</source>
@@ -6494,6 +6758,10 @@
     <message>
         <source>operation '{1}' cuts within it</source>
         <translation>Operation '{1}' fräst darin</translation>
+    </message>
+    <message>
+        <source>operation '{1}' follows it</source>
+        <translation>die Operation „{1}“ folgt ihr</translation>
     </message>
     <message>
         <source>operation '{1}' has a feed of {2} mm/min, and the machine goes {3} at most</source>
@@ -6774,6 +7042,10 @@
     <message>
         <source>rework: {1}</source>
         <translation>Nacharbeit: {1}</translation>
+    </message>
+    <message>
+        <source>rightward</source>
+        <translation>rechts</translation>
     </message>
     <message>
         <source>rings</source>
@@ -7088,6 +7360,10 @@
         <translation>Steg</translation>
     </message>
     <message>
+        <source>take a larger tool, or leave the operation out</source>
+        <translation>ein größeres Werkzeug nehmen oder die Operation weglassen</translation>
+    </message>
+    <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>ein kleineres Werkzeug nehmen oder ihm senkrechtes Eintauchen erlauben</translation>
     </message>
@@ -7290,6 +7566,10 @@
     <message>
         <source>the cutter leaves more than the tolerance: use a smaller step-over or tool</source>
         <translation>der Fräser lässt mehr als die Toleranz: einen kleineren Bahnabstand oder ein kleineres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>the cutter touches the part nowhere at two places between which it leaves more than the tolerance</source>
+        <translation>der Fräser berührt das Teil nirgends an zwei Stellen, zwischen denen er mehr als die Toleranz lässt</translation>
     </message>
     <message>
         <source>the cutter would cut into the part</source>
@@ -8236,6 +8516,10 @@
         <translation>die Toleranz verlangt mehr als {1} Führungsebenen</translation>
     </message>
     <message>
+        <source>the tolerance asks for more than {1} passes</source>
+        <translation>die Toleranz verlangt mehr als {1} Bahnen</translation>
+    </message>
+    <message>
         <source>the tolerance asks for {1} levels</source>
         <translation>die Toleranz verlangt {1} Höhenlinien</translation>
     </message>
@@ -9180,6 +9464,10 @@
         <translation>was so steil ist wie verlangt, liegt unter dem Boden des Rohteils</translation>
     </message>
     <message>
+        <source>what lies between the curves folds over, as at {1}</source>
+        <translation>was zwischen den Kurven liegt, faltet sich, etwa bei {1}</translation>
+    </message>
+    <message>
         <source>what setup '{1}' left</source>
         <translation>was Aufspannung '{1}' übrig ließ</translation>
     </message>
@@ -9604,6 +9892,10 @@
         <translation>Zickzack fräst hin und her; einseitig fräst immer in Fahrtrichtung und kehrt über dem zurück, was steht.</translation>
     </message>
     <message>
+        <source>zigzag cuts whichever way is nearer; oneway always in the same direction and returns above the part.</source>
+        <translation>Zickzack fräst, wie es näher ist; einseitig fräst immer in derselben Richtung und kehrt über dem Teil zurück.</translation>
+    </message>
+    <message>
         <source>{1} % of</source>
         <translation>{1} % von</translation>
     </message>
@@ -9846,6 +10138,10 @@
     <message>
         <source>{1} needs about {2} GB for the stock, more than {3} GB</source>
         <translation>{1} braucht etwa {2} GB für das Rohteil, mehr als {3} GB</translation>
+    </message>
+    <message>
+        <source>{1} of the curve lies off the part, as at {2}, and is not followed</source>
+        <translation>{1} der Kurve liegen außerhalb des Teils, etwa bei {2}, und ihnen wird nicht gefolgt</translation>
     </message>
     <message>
         <source>{1} of the part's area faces no tool axis of the programs (walls, undersides): there only gouges count.</source>
@@ -12153,6 +12449,10 @@ bei</translation>
         <translation>Dem Weg auf der Maschine folgen…</translation>
     </message>
     <message>
+        <source>Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming</source>
+        <translation>Folgt einer auf das Teil gezeichneten Kurve oder dem Umriss, darauf oder daneben: Gravieren, Besäumen</translation>
+    </message>
+    <message>
         <source>Forget the posture kept for this point</source>
         <translation>Die für diesen Punkt festgehaltene Stellung vergessen</translation>
     </message>
@@ -13093,6 +13393,10 @@ auf, %1</translation>
         <translation>Eine Operation ist, wie sie geplant war: sie wurde mit dem Projekt aufbewahrt.</translation>
     </message>
     <message>
+        <source>One pass that winds about a centre, for what is round</source>
+        <translation>Eine Bahn, die sich um einen Mittelpunkt windet, für Rundes</translation>
+    </message>
+    <message>
         <source>Only what is cut up to “%1” has been verified.</source>
         <translation>Geprüft ist nur, was bis „%1“ gefräst wird.</translation>
     </message>
@@ -13293,8 +13597,16 @@ auf, %1</translation>
         <translation>Bahnen</translation>
     </message>
     <message>
+        <source>Passes from a centre outward, like the spokes of a wheel</source>
+        <translation>Bahnen von einem Mittelpunkt nach außen, wie die Speichen eines Rads</translation>
+    </message>
+    <message>
         <source>Passes side by side over the surface, with an upright tool</source>
         <translation>Bahnen nebeneinander über die Fläche, mit senkrechtem Werkzeug</translation>
+    </message>
+    <message>
+        <source>Passes that go over from one curve to another, the way the part flows</source>
+        <translation>Bahnen, die von einer Kurve in eine andere übergehen, wie das Teil verläuft</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -13747,6 +14059,10 @@ auf, %1</translation>
     <message>
         <source>Running these programs can damage part, tool and machine.</source>
         <translation>Diese Programme laufen zu lassen kann Teil, Werkzeug und Maschine beschädigen.</translation>
+    </message>
+    <message>
+        <source>Runs along the valleys that the cutter touches on both sides, and beside them</source>
+        <translation>Läuft in den Tälern, die der Fräser auf beiden Seiten berührt, und daneben</translation>
     </message>
     <message>
         <source>S&amp;top</source>
@@ -15630,6 +15946,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Verletzungen bis %1</translation>
     </message>
     <message>
+        <source>half of the outline</source>
+        <translation>die Hälfte des Umrisses</translation>
+    </message>
+    <message>
         <source>high</source>
         <translation>hoch</translation>
     </message>
@@ -15980,6 +16300,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>the manual, at the place of what has the keys</source>
         <translation>das Handbuch, an der Stelle dessen, was die Tasten hat</translation>
+    </message>
+    <message>
+        <source>the other half</source>
+        <translation>die andere Hälfte</translation>
+    </message>
+    <message>
+        <source>the outline</source>
+        <translation>der Umriss</translation>
     </message>
     <message>
         <source>the part's box</source>

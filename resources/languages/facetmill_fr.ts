@@ -48,6 +48,10 @@
         <translation>'{1}' définit de la géométrie ou une variable</translation>
     </message>
     <message>
+        <source>'{1}' followed '{2}', which this setup does not have: it follows the outline now</source>
+        <translation>« {1} » suivait « {2} », que ce montage n’a pas : elle suit maintenant le contour</translation>
+    </message>
+    <message>
         <source>'{1}' has a comma</source>
         <translation>'{1}' a une virgule</translation>
     </message>
@@ -316,6 +320,10 @@
         <translation>A tourne autour de X, B de Y, C de Z : corriger le nom ou la direction</translation>
     </message>
     <message>
+        <source>About the middle</source>
+        <translation>Autour du milieu</translation>
+    </message>
+    <message>
         <source>Accelerations</source>
         <translation>Accélérations</translation>
     </message>
@@ -330,6 +338,10 @@
     <message>
         <source>Allowance</source>
         <translation>Surépaisseur</translation>
+    </message>
+    <message>
+        <source>Along a curve</source>
+        <translation>Le long d’une courbe</translation>
     </message>
     <message>
         <source>Along which the cylinder lies, through the middle of the part's box.</source>
@@ -484,6 +496,10 @@
         <translation>CUTTER n'est pas une fraise convexe : {1}</translation>
     </message>
     <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
         <source>Checking passes</source>
         <translation>Contrôle des passes</translation>
     </message>
@@ -624,6 +640,10 @@
         <translation>Coupe, {1}</translation>
     </message>
     <message>
+        <source>Cuts</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
         <source>Cuts only where more than the tolerance stands of the stock, as raw material and the operations before left it.</source>
         <translation>N'usine que là où il reste du brut plus que la tolérance, tel que la matière brute et les opérations précédentes l'ont laissé.</translation>
     </message>
@@ -682,6 +702,10 @@
     <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Depth of a cut</source>
+        <translation>Profondeur d’une coupe</translation>
     </message>
     <message>
         <source>Depth of cut</source>
@@ -750,6 +774,10 @@
     <message>
         <source>Distance between neighbouring layers; from_tolerance is everywhere the largest that leaves no more than the tolerance above the allowance, at most the diameter, and puts lines closer where a floor stays.</source>
         <translation>Distance entre niveaux voisins ; d'après la tolérance est partout la plus grande qui ne laisse pas plus que la tolérance au-dessus de la surépaisseur, au plus le diamètre, et serre les lignes où un fond reste.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring passes, looked at from above: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
+        <translation>Distance entre passes voisines, vue de dessus : adaptative, elle est partout la plus grande que la tolérance permette ; une longueur est respectée quelles que soient les crêtes qu’elle laisse.</translation>
     </message>
     <message>
         <source>Distance that shank and holder keep from the part.</source>
@@ -884,6 +912,10 @@
         <translation>Finition en cinq axes</translation>
     </message>
     <message>
+        <source>First curve</source>
+        <translation>Première courbe</translation>
+    </message>
+    <message>
         <source>First point of an axis through two points.</source>
         <translation>Premier point d'un axe par deux points.</translation>
     </message>
@@ -918,6 +950,10 @@
     <message>
         <source>Flutes</source>
         <translation>Dents</translation>
+    </message>
+    <message>
+        <source>Following curves</source>
+        <translation>Suivi des courbes</translation>
     </message>
     <message>
         <source>Following levels</source>
@@ -958,6 +994,10 @@
     <message>
         <source>From and to: 0 is level, 90 an upright wall, more an underside.</source>
         <translation>De et à : 0 est horizontal, 90 une paroi verticale, plus un dessous.</translation>
+    </message>
+    <message>
+        <source>From radius</source>
+        <translation>À partir du rayon</translation>
     </message>
     <message>
         <source>From the axis to the side: positive when the tool widens upward, negative for a dovetail.</source>
@@ -1084,8 +1124,16 @@
         <translation>De combien la surface peut entrer dans une fraise avant que ce soit une entaille ; auto : le double de la tolérance de corde que tiennent les parcours.</translation>
     </message>
     <message>
+        <source>How far below the surface the cutter goes, along its axis. 0 stays on it.</source>
+        <translation>De combien la fraise descend sous la surface, le long de son axe. 0 reste dessus.</translation>
+    </message>
+    <message>
         <source>How far beside the centre line the cutter runs, so that a ball does not cut with its tip.</source>
         <translation>De combien la fraise passe à côté de la ligne médiane, pour qu'une boule ne coupe pas de sa pointe.</translation>
+    </message>
+    <message>
+        <source>How far beside the curve, on the side that is chosen. auto is the cutter's radius and the allowance, so that the cutter touches the curve.</source>
+        <translation>À quelle distance de la courbe, du côté choisi. auto est le rayon de la fraise plus la surépaisseur, de sorte que la fraise touche la courbe.</translation>
     </message>
     <message>
         <source>How far cutter, shank and holder keep from these facets.</source>
@@ -1106,6 +1154,10 @@
     <message>
         <source>How far motions may run beside the exact path, to either side</source>
         <translation>De combien les mouvements peuvent s'écarter du parcours exact, de chaque côté</translation>
+    </message>
+    <message>
+        <source>How far one of several cuts goes below the one before.</source>
+        <translation>De combien une coupe, parmi plusieurs, descend sous la précédente.</translation>
     </message>
     <message>
         <source>How far passes go on over what the previous tool has cut; auto is half the tool's radius.</source>
@@ -1158,6 +1210,10 @@
     <message>
         <source>How much the normals of facets side by side may differ on a surface of a STEP or IGES file.</source>
         <translation>De combien les normales de facettes voisines peuvent différer sur une surface d'un fichier STEP ou IGES.</translation>
+    </message>
+    <message>
+        <source>How often the curve is gone along, each time deeper; the last one is the depth.</source>
+        <translation>Combien de fois la courbe est suivie, chaque fois plus bas ; la dernière est à la profondeur.</translation>
     </message>
     <message>
         <source>How the allowance is kept: contact is exact; vertices moves every vertex along its normal, cruder, and says what it cuts beyond.</source>
@@ -1440,6 +1496,10 @@
         <translation>Recherche des côtés</translation>
     </message>
     <message>
+        <source>Looking for valleys</source>
+        <translation>Recherche des vallées</translation>
+    </message>
+    <message>
         <source>Looking for what stays</source>
         <translation>Recherche de ce qui reste</translation>
     </message>
@@ -1528,6 +1588,10 @@
         <translation>Plus que le rayon de l'outil, qui est {1}</translation>
     </message>
     <message>
+        <source>Morph</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
         <source>Mould cavity</source>
         <translation>Empreinte de moule</translation>
     </message>
@@ -1556,12 +1620,24 @@
         <translation>Nom</translation>
     </message>
     <message>
+        <source>Name of a boundary of the setup, the curve or border of which is followed, seen from above. A drawn curve is taken without its offset. Empty: the outline of what is cut.</source>
+        <translation>Nom d’une limite du montage dont la courbe ou le bord est suivi, vu de dessus. Une courbe dessinée est prise sans son décalage. Vide : le contour de ce qui est usiné.</translation>
+    </message>
+    <message>
+        <source>Name of a boundary of the setup, with the curve at which the passes begin. Empty, both: halves of the outline of what is cut.</source>
+        <translation>Nom d’une limite du montage dont la courbe est celle où les passes commencent. Les deux vides : des moitiés du contour de ce qui est usiné.</translation>
+    </message>
+    <message>
         <source>Name of a boundary of the setup: the operation cuts within it. Empty: everywhere.</source>
         <translation>Nom d'une limite du posage : l'opération usine dedans. Vide : partout.</translation>
     </message>
     <message>
         <source>Name of a boundary whose facets the tool keeps off. Empty: none.</source>
         <translation>Nom d'une limite dont l'outil évite les facettes. Vide : aucune.</translation>
+    </message>
+    <message>
+        <source>Name of the boundary with the curve at which the passes end.</source>
+        <translation>Nom de la limite dont la courbe est celle où les passes finissent.</translation>
     </message>
     <message>
         <source>Name of the operation; also names its output file.</source>
@@ -1732,6 +1808,10 @@
         <translation>Décalage</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Ouverte</translation>
+    </message>
+    <message>
         <source>OpenCASCADE cannot work with it: {1} {2}</source>
         <translation>OpenCASCADE ne peut le traiter : {1} {2}</translation>
     </message>
@@ -1808,12 +1888,36 @@
         <translation>Passes</translation>
     </message>
     <message>
+        <source>Passes about the centre</source>
+        <translation>Passes autour du centre</translation>
+    </message>
+    <message>
+        <source>Passes along valleys</source>
+        <translation>Passes le long des vallées</translation>
+    </message>
+    <message>
+        <source>Passes from curve to curve</source>
+        <translation>Passes de courbe à courbe</translation>
+    </message>
+    <message>
+        <source>Passes from the centre outward</source>
+        <translation>Passes du centre vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>Passes on either side of the one along the valley. 0: that one alone.</source>
+        <translation>Passes de chaque côté de celle qui suit la vallée. 0 : celle-là seule.</translation>
+    </message>
+    <message>
         <source>Passes over shallow surface</source>
         <translation>Passes sur les surfaces douces</translation>
     </message>
     <message>
         <source>Pattern</source>
         <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Fond de vallée</translation>
     </message>
     <message>
         <source>Picked point</source>
@@ -1840,6 +1944,10 @@
         <translation>Place dans le magasin ; les opérations nomment l'outil ainsi.</translation>
     </message>
     <message>
+        <source>Place of the centre, seen from above, where it is not the middle.</source>
+        <translation>Position du centre, vu de dessus, quand ce n’est pas le milieu.</translation>
+    </message>
+    <message>
         <source>Place on the part whose nearest contact point it is for.</source>
         <translation>Endroit de la pièce dont le point de contact le plus proche est concerné.</translation>
     </message>
@@ -1850,6 +1958,10 @@
     <message>
         <source>Placing drive planes</source>
         <translation>Placement des plans directeurs</translation>
+    </message>
+    <message>
+        <source>Placing turns</source>
+        <translation>Placement des tours</translation>
     </message>
     <message>
         <source>Planning passes</source>
@@ -1934,6 +2046,10 @@
     <message>
         <source>Programs of three axes hold arcs (`G2`, `G3`) where the control has them and one stands for three motions or more: every end of a motion within a quarter of the chord tolerance of the arc, and the arc within half of it of the motions. Where the tool leans, in tilted planes alone.</source>
         <translation>Les programmes à trois axes contiennent des arcs (`G2`, `G3`) où la commande les a et où l'un remplace trois mouvements ou plus : chaque fin de mouvement à un quart de la tolérance de corde de l'arc, et l'arc à la moitié des mouvements. Où l'outil penche, seulement dans les plans inclinés.</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
     </message>
     <message>
         <source>Raise lead limit</source>
@@ -2080,6 +2196,10 @@
         <translation>Échelle</translation>
     </message>
     <message>
+        <source>Second curve</source>
+        <translation>Seconde courbe</translation>
+    </message>
+    <message>
         <source>Second point of an axis through two points.</source>
         <translation>Second point d'un axe par deux points.</translation>
     </message>
@@ -2124,8 +2244,20 @@
         <translation>Part</translation>
     </message>
     <message>
+        <source>Shorter valleys are left out, and shorter gaps in one are passed over. auto is the cutter's radius.</source>
+        <translation>Les vallées plus courtes sont omises, et les lacunes plus courtes dans l’une d’elles sont franchies. auto est le rayon de la fraise.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
         <source>Side feed</source>
         <translation>Avance latérale</translation>
+    </message>
+    <message>
+        <source>Side passes</source>
+        <translation>Passes latérales</translation>
     </message>
     <message>
         <source>Sides</source>
@@ -2174,6 +2306,10 @@
     <message>
         <source>Smallest strip</source>
         <translation>Plus petite bande</translation>
+    </message>
+    <message>
+        <source>Smallest valley</source>
+        <translation>Plus petite vallée</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -2242,6 +2378,10 @@
     <message>
         <source>Spindle, rpm</source>
         <translation>Broche, tr/min</translation>
+    </message>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
     </message>
     <message>
         <source>Square prism</source>
@@ -2424,12 +2564,24 @@
         <translation>Le fichier STL binaire commence par 'solid' comme un texte ; il a été lu comme binaire.</translation>
     </message>
     <message>
+        <source>The centre is the middle of what is cut, seen from above, whatever the centre says.</source>
+        <translation>Le centre est le milieu de ce qui est usiné, vu de dessus, quel que soit le centre indiqué.</translation>
+    </message>
+    <message>
         <source>The control that programs are written for, see below, or a file of your own (`resources/posts/README.md`); its name ends with `.json`, a relative one starts at the project file. Without it programs are APT alone.</source>
         <translation>La commande pour laquelle les programmes sont écrits, ou un fichier à soi (`resources/posts/README.md`) ; son nom finit par `.json`, un chemin relatif part du fichier de projet. Sans elle les programmes sont en APT seul.</translation>
     </message>
     <message>
         <source>The control's work coordinate system that programs are told in: `G54`, or the number of a preset. Default: the control's first, or what is active in it.</source>
         <translation>Le système de coordonnées pièce de la commande, dans lequel les programmes sont dits : `G54`, ou le numéro d'un préréglage. Par défaut : le premier de la commande, ou celui qui y est actif.</translation>
+    </message>
+    <message>
+        <source>The curve ends at its last corner, instead of going back to the first.</source>
+        <translation>La courbe finit à son dernier sommet, au lieu de revenir au premier.</translation>
+    </message>
+    <message>
+        <source>The curves end at their last corners, instead of going back to the first.</source>
+        <translation>Les courbes finissent à leurs derniers sommets, au lieu de revenir aux premiers.</translation>
     </message>
     <message>
         <source>The cylinders that the holder is made of, from the shank upward.</source>
@@ -2644,6 +2796,10 @@
         <translation>À</translation>
     </message>
     <message>
+        <source>To radius</source>
+        <translation>Jusqu’au rayon</translation>
+    </message>
+    <message>
         <source>Together</source>
         <translation>Ensemble</translation>
     </message>
@@ -2812,6 +2968,10 @@
         <translation>Ce qui est usiné.</translation>
     </message>
     <message>
+        <source>What is farther from the centre is not cut. auto goes as far as the part.</source>
+        <translation>Ce qui est plus loin du centre n’est pas usiné. auto va aussi loin que la pièce.</translation>
+    </message>
+    <message>
         <source>What is left, 95 % below</source>
         <translation>Ce qui reste, 95 % au-dessous</translation>
     </message>
@@ -2822,6 +2982,10 @@
     <message>
         <source>What is left, largest</source>
         <translation>Ce qui reste, au plus</translation>
+    </message>
+    <message>
+        <source>What is nearer to the centre is not cut.</source>
+        <translation>Ce qui est plus près du centre n’est pas usiné.</translation>
     </message>
     <message>
         <source>What it is called.</source>
@@ -2888,6 +3052,10 @@
         <translation>Où des attaques jusqu'à la limite supposée sur des passes sur toute la pièce prennent moins de temps que la limite et la reprise ensemble, elles sont utilisées. Non : la limite est gardée. Les zones modifiées la gardent aussi.</translation>
     </message>
     <message>
+        <source>Where no curves are named: the outline is divided where it reaches farthest in this direction, either way. auto picks x or y by the change of normals.</source>
+        <translation>Quand aucune courbe n’est nommée : le contour est coupé là où il va le plus loin dans cette direction, dans les deux sens. auto choisit x ou y d’après le changement des normales.</translation>
+    </message>
+    <message>
         <source>Where on the box of stock or part the zero is, in X, Y and Z: -1 its low side, 0 its middle, 1 its high side. `0, 0, 1`: the middle of its top.</source>
         <translation>Où est l'origine sur la boîte du brut ou de la pièce, en X, Y et Z : -1 son côté bas, 0 son milieu, 1 son côté haut. `0, 0, 1` : le milieu du dessus.</translation>
     </message>
@@ -2898,6 +3066,10 @@
     <message>
         <source>Where the middle of its bottom is; how far a mesh is moved. The part's placement does not move it.</source>
         <translation>Où est le milieu de son fond ; de combien un maillage est déplacé. La mise en place de la pièce ne le bouge pas.</translation>
+    </message>
+    <message>
+        <source>Where the tip runs: on the curve, to its left or to its right. Closed curves run counter-clockwise, so what is left lies within.</source>
+        <translation>Où passe la pointe : sur la courbe, à sa gauche ou à sa droite. Les courbes fermées tournent en sens antihoraire ; la gauche est donc à l’intérieur.</translation>
     </message>
     <message>
         <source>Which objects of a 3MF or glTF file are the part, by name or number, separated by commas; `info` lists them. Empty: all on the file's build plate, or in its scene.</source>
@@ -3572,6 +3744,10 @@
         <translation>tout est usiné par passes parallèles : {1}</translation>
     </message>
     <message>
+        <source>all of it lies off the part, as at {1}</source>
+        <translation>elle est entièrement hors de la pièce, par exemple en {1}</translation>
+    </message>
+    <message>
         <source>all of them are switched off</source>
         <translation>toutes sont désactivées</translation>
     </message>
@@ -3988,8 +4164,20 @@
         <translation>vérifier son emplacement, les droits et le disque</translation>
     </message>
     <message>
+        <source>check part and boundary</source>
+        <translation>vérifier la pièce et la limite</translation>
+    </message>
+    <message>
+        <source>check part and curves</source>
+        <translation>vérifier la pièce et les courbes</translation>
+    </message>
+    <message>
         <source>check part and direction</source>
         <translation>vérifier pièce et direction</translation>
+    </message>
+    <message>
+        <source>check part, centre and radii</source>
+        <translation>vérifier la pièce, le centre et les rayons</translation>
     </message>
     <message>
         <source>check part, tool and direction</source>
@@ -4194,6 +4382,10 @@
     <message>
         <source>choose a smaller depth or a longer tool</source>
         <translation>choisir une profondeur plus petite ou un outil plus long</translation>
+    </message>
+    <message>
+        <source>choose a smaller offset or the other side</source>
+        <translation>choisir un décalage plus petit ou l’autre côté</translation>
     </message>
     <message>
         <source>choose a smaller tool, or the one that cut before</source>
@@ -4440,8 +4632,16 @@
         <translation>points tirés</translation>
     </message>
     <message>
+        <source>draw curves that run side by side</source>
+        <translation>dessiner des courbes qui courent côte à côte</translation>
+    </message>
+    <message>
         <source>draw the curve on the part, or list its corners</source>
         <translation>dessiner la courbe sur la pièce, ou énumérer ses sommets</translation>
+    </message>
+    <message>
+        <source>draw them apart</source>
+        <translation>les dessiner séparées</translation>
     </message>
     <message>
         <source>each</source>
@@ -4722,6 +4922,10 @@
     <message>
         <source>from tolerance</source>
         <translation>d'après la tolérance</translation>
+    </message>
+    <message>
+        <source>from {1} to {2} of the centre there is nothing</source>
+        <translation>de {1} à {2} du centre, il n’y a rien</translation>
     </message>
     <message>
         <source>from {1}° to {2}° is no range of postures</source>
@@ -5412,6 +5616,14 @@
         <translation>est {1}</translation>
     </message>
     <message>
+        <source>it asks for more than {1} passes</source>
+        <translation>cela demande plus de {1} passes</translation>
+    </message>
+    <message>
+        <source>it asks for more than {1} turns</source>
+        <translation>cela demande plus de {1} tours</translation>
+    </message>
+    <message>
         <source>it begins with a point</source>
         <translation>il commence par un point</translation>
     </message>
@@ -5442,6 +5654,10 @@
     <message>
         <source>it cuts while the spindle stands</source>
         <translation>il usine alors que la broche est arrêtée</translation>
+    </message>
+    <message>
+        <source>it cuts {1} into the part on purpose: the verification calls that a gouge, unless its limit is more</source>
+        <translation>elle entre volontairement de {1} dans la pièce : la vérification appelle cela une entaille, sauf si sa limite est plus grande</translation>
     </message>
     <message>
         <source>it cuts, and no speed of the spindle is given</source>
@@ -5628,6 +5844,10 @@
         <translation>son outil n'est plus dans le projet</translation>
     </message>
     <message>
+        <source>its two curves cross or touch at {1}</source>
+        <translation>ses deux courbes se croisent ou se touchent en {1}</translation>
+    </message>
+    <message>
         <source>its worker ended with status {1}</source>
         <translation>son travailleur a fini avec l'état {1}</translation>
     </message>
@@ -5780,6 +6000,10 @@
         <translation>omis : {1}</translation>
     </message>
     <message>
+        <source>leftward</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
         <source>lengths in {1}</source>
         <translation>longueurs en {1}</translation>
     </message>
@@ -5794,6 +6018,10 @@
     <message>
         <source>let coarser settings vary</source>
         <translation>faire varier des réglages plus grossiers</translation>
+    </message>
+    <message>
+        <source>let it end farther out than it begins</source>
+        <translation>la faire finir plus loin qu’elle ne commence</translation>
     </message>
     <message>
         <source>let less vary</source>
@@ -5972,6 +6200,14 @@
         <translation>mouvement {1} : </translation>
     </message>
     <message>
+        <source>move it onto the part</source>
+        <translation>la déplacer sur la pièce</translation>
+    </message>
+    <message>
+        <source>move its curves or its centre onto the part</source>
+        <translation>déplacer ses courbes ou son centre sur la pièce</translation>
+    </message>
+    <message>
         <source>move the part onto the axis, let the axis go through the part's middle, or give two points of it</source>
         <translation>déplacer la pièce sur l'axe, faire passer l'axe par le milieu de la pièce, ou en donner deux points</translation>
     </message>
@@ -6082,6 +6318,10 @@
     <message>
         <source>name the machine as people call it</source>
         <translation>nommer la machine comme on l'appelle</translation>
+    </message>
+    <message>
+        <source>name the other one too, or none to take the outline</source>
+        <translation>nommer aussi l’autre, ou aucune pour prendre le contour</translation>
     </message>
     <message>
         <source>name the other scan's file</source>
@@ -6232,6 +6472,10 @@
         <translation>aucune passe ne s'y trouve</translation>
     </message>
     <message>
+        <source>no pass meets the part</source>
+        <translation>aucune passe ne rencontre la pièce</translation>
+    </message>
+    <message>
         <source>no pass meets the stock</source>
         <translation>aucune passe ne rencontre le brut</translation>
     </message>
@@ -6274,6 +6518,10 @@
     <message>
         <source>no tool is in the spindle</source>
         <translation>aucun outil n'est dans la broche</translation>
+    </message>
+    <message>
+        <source>no valley lies where something is to be cut</source>
+        <translation>aucune vallée ne se trouve là où il y a à usiner</translation>
     </message>
     <message>
         <source>no value</source>
@@ -6384,12 +6632,20 @@
         <translation>rien de la pièce n'y est assez loin du bord pour que la fraise ait de la place</translation>
     </message>
     <message>
+        <source>nothing of the part lies where it is to cut</source>
+        <translation>rien de la pièce ne se trouve là où elle doit usiner</translation>
+    </message>
+    <message>
         <source>nothing of the part that can be cut {1} has a slope from {2} to {3} degrees</source>
         <translation>rien de la pièce qui puisse être usiné {1} n'a une pente de {2} à {3} degrés</translation>
     </message>
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>rien du brut ne dépasse la pièce et la surépaisseur de {1}</translation>
+    </message>
+    <message>
+        <source>nothing runs {1} to that side of it</source>
+        <translation>rien ne passe à {1} de ce côté-là</translation>
     </message>
     <message>
         <source>nothing says what the feed is per</source>
@@ -6452,6 +6708,10 @@
         <translation>de ce qui dépasse la surépaisseur, cet outil n'atteint rien</translation>
     </message>
     <message>
+        <source>on</source>
+        <translation>dessus</translation>
+    </message>
+    <message>
         <source>one</source>
         <translation>un seul</translation>
     </message>
@@ -6470,6 +6730,10 @@
     <message>
         <source>only a step of kind hole leaves a hole open</source>
         <translation>seule une étape du genre trou laisse un trou ouvert</translation>
+    </message>
+    <message>
+        <source>only one of its two curves is named</source>
+        <translation>une seule de ses deux courbes est nommée</translation>
     </message>
     <message>
         <source>only {1}/OFF is read; output plain GOTO statements</source>
@@ -6494,6 +6758,10 @@
     <message>
         <source>operation '{1}' cuts within it</source>
         <translation>l'opération '{1}' y usine</translation>
+    </message>
+    <message>
+        <source>operation '{1}' follows it</source>
+        <translation>l’opération « {1} » la suit</translation>
     </message>
     <message>
         <source>operation '{1}' has a feed of {2} mm/min, and the machine goes {3} at most</source>
@@ -6774,6 +7042,10 @@
     <message>
         <source>rework: {1}</source>
         <translation>reprise : {1}</translation>
+    </message>
+    <message>
+        <source>rightward</source>
+        <translation>droite</translation>
     </message>
     <message>
         <source>rings</source>
@@ -7088,6 +7360,10 @@
         <translation>attache</translation>
     </message>
     <message>
+        <source>take a larger tool, or leave the operation out</source>
+        <translation>prendre un outil plus grand, ou laisser l’opération de côté</translation>
+    </message>
+    <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>prendre un outil plus petit, ou lui permettre de plonger</translation>
     </message>
@@ -7290,6 +7566,10 @@
     <message>
         <source>the cutter leaves more than the tolerance: use a smaller step-over or tool</source>
         <translation>la fraise laisse plus que la tolérance : prendre un pas latéral ou un outil plus petit</translation>
+    </message>
+    <message>
+        <source>the cutter touches the part nowhere at two places between which it leaves more than the tolerance</source>
+        <translation>la fraise ne touche nulle part la pièce en deux endroits entre lesquels elle laisse plus que la tolérance</translation>
     </message>
     <message>
         <source>the cutter would cut into the part</source>
@@ -8236,6 +8516,10 @@
         <translation>la tolérance demande plus de {1} plans directeurs</translation>
     </message>
     <message>
+        <source>the tolerance asks for more than {1} passes</source>
+        <translation>la tolérance demande plus de {1} passes</translation>
+    </message>
+    <message>
         <source>the tolerance asks for {1} levels</source>
         <translation>la tolérance demande {1} niveaux</translation>
     </message>
@@ -9180,6 +9464,10 @@
         <translation>ce qui est aussi raide que demandé se trouve sous le bas du brut</translation>
     </message>
     <message>
+        <source>what lies between the curves folds over, as at {1}</source>
+        <translation>ce qui est entre les courbes se replie, par exemple en {1}</translation>
+    </message>
+    <message>
         <source>what setup '{1}' left</source>
         <translation>ce que le posage '{1}' a laissé</translation>
     </message>
@@ -9604,6 +9892,10 @@
         <translation>zigzag usine en aller et retour ; sens unique usine toujours dans le sens de l'avance et revient au-dessus de ce qui reste.</translation>
     </message>
     <message>
+        <source>zigzag cuts whichever way is nearer; oneway always in the same direction and returns above the part.</source>
+        <translation>zigzag usine dans le sens le plus proche ; sens unique toujours dans le même sens et revient au-dessus de la pièce.</translation>
+    </message>
+    <message>
         <source>{1} % of</source>
         <translation>{1} % de</translation>
     </message>
@@ -9846,6 +10138,10 @@
     <message>
         <source>{1} needs about {2} GB for the stock, more than {3} GB</source>
         <translation>{1} demande environ {2} Go pour le brut, plus de {3} Go</translation>
+    </message>
+    <message>
+        <source>{1} of the curve lies off the part, as at {2}, and is not followed</source>
+        <translation>{1} de la courbe est hors de la pièce, par exemple en {2}, et n’est pas suivi</translation>
     </message>
     <message>
         <source>{1} of the part's area faces no tool axis of the programs (walls, undersides): there only gouges count.</source>
@@ -12151,6 +12447,10 @@
         <translation>Suivi du parcours sur la machine…</translation>
     </message>
     <message>
+        <source>Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming</source>
+        <translation>Suit une courbe dessinée sur la pièce ou le contour, dessus ou à côté : gravure, détourage</translation>
+    </message>
+    <message>
         <source>Forget the posture kept for this point</source>
         <translation>Oublier la posture gardée pour ce point</translation>
     </message>
@@ -13091,6 +13391,10 @@
         <translation>Une opération est comme planifiée : elle a été gardée avec le projet.</translation>
     </message>
     <message>
+        <source>One pass that winds about a centre, for what is round</source>
+        <translation>Une passe qui s’enroule autour d’un centre, pour ce qui est rond</translation>
+    </message>
+    <message>
         <source>Only what is cut up to “%1” has been verified.</source>
         <translation>Seul ce qui est usiné jusqu'à « %1 » a été vérifié.</translation>
     </message>
@@ -13291,8 +13595,16 @@
         <translation>Passes</translation>
     </message>
     <message>
+        <source>Passes from a centre outward, like the spokes of a wheel</source>
+        <translation>Des passes d’un centre vers l’extérieur, comme les rayons d’une roue</translation>
+    </message>
+    <message>
         <source>Passes side by side over the surface, with an upright tool</source>
         <translation>Des passes côte à côte sur la surface, avec un outil vertical</translation>
+    </message>
+    <message>
+        <source>Passes that go over from one curve to another, the way the part flows</source>
+        <translation>Des passes qui vont d’une courbe à l’autre, dans le sens de la pièce</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -13745,6 +14057,10 @@
     <message>
         <source>Running these programs can damage part, tool and machine.</source>
         <translation>Exécuter ces programmes peut abîmer pièce, outil et machine.</translation>
+    </message>
+    <message>
+        <source>Runs along the valleys that the cutter touches on both sides, and beside them</source>
+        <translation>Suit les vallées que la fraise touche des deux côtés, et leurs abords</translation>
     </message>
     <message>
         <source>S&amp;top</source>
@@ -15628,6 +15944,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>entailles jusqu'à %1</translation>
     </message>
     <message>
+        <source>half of the outline</source>
+        <translation>la moitié du contour</translation>
+    </message>
+    <message>
         <source>high</source>
         <translation>haut</translation>
     </message>
@@ -15978,6 +16298,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>the manual, at the place of what has the keys</source>
         <translation>le manuel, à l'endroit de ce qui a le clavier</translation>
+    </message>
+    <message>
+        <source>the other half</source>
+        <translation>l’autre moitié</translation>
+    </message>
+    <message>
+        <source>the outline</source>
+        <translation>le contour</translation>
     </message>
     <message>
         <source>the part's box</source>

@@ -26,7 +26,8 @@ inline const HeldCase held_cases[] = {
     {"rough", "generic-3-axis", false},         {"finish3", "generic-3-axis", false},
     {"cleanup", "generic-3-axis", false},       {"finish5", "trunnion-ac", false},
     {"global_local", "trunnion-ac", false},     {"waterline", "generic-3-axis", false},
-    {"steep_shallow", "generic-3-axis", false}, {"lathe_rough", "lathe-mill", true},
+    {"steep_shallow", "generic-3-axis", false}, {"radial", "generic-3-axis", false},
+    {"pencil", "generic-3-axis", false},        {"lathe_rough", "lathe-mill", true},
     {"lathe_finish", "lathe-mill", true}};
 
 inline Mesh rod() {

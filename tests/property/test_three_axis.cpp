@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -41,12 +42,14 @@ std::vector<TipLine> tips(const ToolMotions& motions) {
 /// it leaves, and is judged by that in test_rough_shapes; what cuts only what another tool left, in
 /// test_cleanup; what leaves shallow surface to others, in test_waterline; and what goes along walls by
 /// levels as well, in test_steep_shallow: there a chord beside the rim of a wall is as deep by the normal of
-/// the floor above as the wall is high.
+/// the floor above as the wall is high. Passes along curves have tests of their own.
 std::vector<std::string> three_axis_kinds() {
+    const std::set<std::string> others{"waterline", "steep_shallow", "pencil", "along_curve",
+                                       "radial",    "spiral",        "morph"};
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
         if (const auto op = k.make(); op->linking() == Linking::upright && op->further_tools().empty()
-                                      && k.kind != "waterline" && k.kind != "steep_shallow")
+                                      && !others.contains(k.kind))
             kinds.push_back(k.kind);
     return kinds;
 }

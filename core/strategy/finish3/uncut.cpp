@@ -201,6 +201,7 @@ public:
                 a.area += b.area;
                 a.samples += b.samples;
                 a.below += b.below;
+                a.passed_tips.insert(a.passed_tips.end(), b.passed_tips.begin(), b.passed_tips.end());
                 for (auto places : {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::held,
                                     &UncutReport::covered}) {
                     UncutPlaces& mine = a.*places;
@@ -256,6 +257,7 @@ private:
                 && in_.lift->tip_z(tip.x(), tip.y()) + in_.cover->profile().height_at(rho) <= q.z())
                 places = &report.passed_by;
         }
+        if (in_.tell_passed && places == &report.passed_by) report.passed_tips.push_back(tip);
         places->area += area;
         // How high exactly is asked only of the highest.
         if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;

@@ -47,6 +47,7 @@ struct UncutInput {
     /// The facets are some of a closed mesh, wound with the outside up: what lies under the part counts.
     bool outside_up = false;
     double lowest_tip = -infinity; ///< places that only a lower tip would touch do not count
+    bool tell_passed = false;      ///< every place that is passed by
 };
 
 struct UncutPlaces {
@@ -62,6 +63,7 @@ struct UncutReport {
     UncutPlaces out_of_reach, passed_by, held, covered;
     double below = 0; ///< of it, what only a tip below the lowest would touch and is not cut, mm^2
     std::size_t samples = 0;
+    std::vector<Vec3> passed_tips; ///< where they are asked for: tips that would cut what is passed by
 };
 
 /// Cost: below a microsecond a sample where the path is good, some ten where it is not; at least one sample a

@@ -95,6 +95,19 @@ private slots:
         check_project(p);
     }
 
+    /// Pencil goes over the valleys that the finishing tool itself leaves.
+    void every_kind_can_be_added() {
+        for (const OperationKind& kind : operation_kinds()) {
+            Project p = project_with({listed_tool(2, 12, 0), listed_tool(1, 6, 3), listed_tool(5, 4, 2)});
+            const NewOperation made = new_operation(kind.kind, p);
+            QCOMPARE(std::string(made.operation->kind()), kind.kind);
+            QVERIFY2(made.tool || made.operation->common().tool > 0, kind.kind.c_str());
+        }
+        Project p = project_with({listed_tool(2, 12, 0), listed_tool(1, 6, 3), listed_tool(5, 4, 2)});
+        QCOMPARE(new_operation("pencil", p).operation->common().tool, p.operations.front()->common().tool);
+        QCOMPARE(new_operation("pencil", p).place, std::size_t(1));
+    }
+
     void machining_order_holds_whatever_is_added_first() {
         Project p = project_with({listed_tool(1, 6, 3), listed_tool(2, 12, 0)});
         for (const char* kind : {"cleanup", "finish5", "rough", "finish3"})
