@@ -20,7 +20,8 @@ DivideBar::DivideBar(QWidget* parent) : QWidget(parent) {
     slider_->setPageStep(5);
     slider_->setMinimumWidth(80);
     slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->setToolTip(tr("Slope from level at which the part is divided: what is steeper is cut by levels"));
+    slider_->setToolTip(
+        tr("Slope from level at which the part is divided: what is steeper is cut by levels"));
     slider_->setAccessibleName(tr("Divide between steep and shallow"));
     name->setBuddy(slider_);
     readout_ = new ElidedLabel(this);
