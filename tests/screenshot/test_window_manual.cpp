@@ -101,7 +101,10 @@ class TestWindowManual : public QObject, private WindowFixture {
         QApplication::processEvents();
     }
     void picture(QWidget& widget, const QString& name) {
-        const QImage image = shot(widget, QStringLiteral("manual-") + name);
+        // Out of its window: by itself what OpenGL drew would be mixed with what is behind it.
+        QWidget& window = *widget.window();
+        const QImage image = shot(window, QStringLiteral("manual-") + name)
+                                 .copy(QRect(widget.mapTo(&window, QPoint()), widget.size()));
         if (picture_folder().isEmpty()) return;
         QDir().mkpath(picture_folder());
         // As wide as a page: what is wider would be made smaller there.
@@ -550,6 +553,11 @@ private slots:
         w().resizeDocks({dock}, {480}, Qt::Horizontal);
         QVERIFY(wait_until_settled(w()));
         picture(*dock->widget(), QStringLiteral("cspace"));
+        w().resizeDocks({dock}, {380}, Qt::Horizontal);
+        w().findChild<QDockWidget*>(QStringLiteral("chart_dock"))->toggleViewAction()->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(shot(w(), QStringLiteral("workbench"))
+                    .save(picture_folder() + QStringLiteral("/../workbench.png"), "PNG", 0)); // README's
         close_window();
 
         QVERIFY(show_window());
