@@ -190,7 +190,7 @@ void PassEstimator::spread_over_bins(EstimatedPass& pass,
     pass.end_hi.assign(bins_.count(), 0);
     pass.comes.assign(bins_.count(), false);
     pass.unfree.assign(bins_.count(), false);
-    const double least = least_width(), most = StripWidth::max_width(field_);
+    const double least = min_width(), most = StripWidth::max_width(field_);
     const auto count = [&](const EstimatedContact& c, double beyond_lo, double beyond_hi) {
         const auto [from, to] = cleared(c.place.u, pass.travel);
         for (std::size_t b = bins_.at(from - beyond_lo); b <= bins_.at(to + beyond_hi); ++b) {

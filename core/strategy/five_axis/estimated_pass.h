@@ -75,7 +75,7 @@ public:
     /// count.
     std::array<double, 2> cleared(double u, int travel) const;
     double behind() const { return behind_; } ///< how far behind its contact it does so at most, mm
-    double least_width() const { return 0.5 * smallest_; } ///< that a contact is taken to have to one side
+    double min_width() const { return 0.5 * smallest_; } ///< that a contact is taken to have to one side
     double smallest_step() const { return smallest_; }
     double largest_step() const { return largest_; }
 

@@ -60,8 +60,8 @@ double TiltedStepOver::missing(const EstimatedPass& last, double v, int travel,
     for (std::size_t i = std::max(bins().at(from), within.first); i <= std::min(bins().at(to), within.last);
          ++i)
         if (last.comes[i] && std::isfinite(last.width_hi[i]))
-            gap = std::max(gap, v - std::max(contact.width_lo, passes_.least_width())
-                                    - (last.v + last.width_hi[i]));
+            gap = std::max(gap,
+                           v - std::max(contact.width_lo, passes_.min_width()) - (last.v + last.width_hi[i]));
     return gap;
 }
 
