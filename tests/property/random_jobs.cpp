@@ -171,12 +171,11 @@ constexpr std::uint64_t first_with_later_kinds = 3000;
 const std::vector<OperationKind>& kinds_for(std::uint64_t seed) {
     static const auto first = [] {
         std::vector<OperationKind> kinds = operation_kinds();
-        std::erase_if(
-            kinds, [](const OperationKind& k) {
-                return k.kind == "waterline" || k.kind == "steep_shallow" || k.kind == "pencil"
-                       || k.kind == "along_curve" || k.kind == "radial" || k.kind == "spiral"
-                       || k.kind == "morph";
-            });
+        std::erase_if(kinds, [](const OperationKind& k) {
+            return k.kind == "waterline" || k.kind == "steep_shallow" || k.kind == "pencil"
+                   || k.kind == "along_curve" || k.kind == "radial" || k.kind == "spiral"
+                   || k.kind == "morph";
+        });
         return kinds;
     }();
     return seed < first_with_later_kinds ? first : operation_kinds();
