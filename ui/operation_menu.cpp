@@ -83,10 +83,12 @@ QString operation_words(const std::string& kind) {
     if (kind == "pencil")
         return QMenu::tr("Runs along the valleys that the cutter touches on both sides, and beside them");
     if (kind == "along_curve")
-        return QMenu::tr("Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming");
+        return QMenu::tr(
+            "Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming");
     if (kind == "radial") return QMenu::tr("Passes from a centre outward, like the spokes of a wheel");
     if (kind == "spiral") return QMenu::tr("One pass that winds about a centre, for what is round");
-    if (kind == "morph") return QMenu::tr("Passes that go over from one curve to another, the way the part flows");
+    if (kind == "morph")
+        return QMenu::tr("Passes that go over from one curve to another, the way the part flows");
     if (kind == "finish5")
         return QMenu::tr("The tool leans, so that a flat or bull-nosed cutter leaves wide strips");
     if (kind == "global_local")

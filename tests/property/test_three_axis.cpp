@@ -48,8 +48,8 @@ std::vector<std::string> three_axis_kinds() {
                                        "radial",    "spiral",        "morph"};
     std::vector<std::string> kinds;
     for (const OperationKind& k : operation_kinds())
-        if (const auto op = k.make(); op->linking() == Linking::upright && op->further_tools().empty()
-                                      && !others.contains(k.kind))
+        if (const auto op = k.make();
+            op->linking() == Linking::upright && op->further_tools().empty() && !others.contains(k.kind))
             kinds.push_back(k.kind);
     return kinds;
 }

@@ -229,14 +229,14 @@ private slots:
     }
 
     void every_field_of_the_job() {
-        using Kind = TreeNode::Kind;
+        using NodeKind = TreeNode::Kind;
         add_second_tool();
         QStringList fixed, wrong;
         int fields = 0;
-        for (const auto& [kind, name] : {std::pair(Kind::part, "part"),
-                                         {Kind::stock, "stock"},
-                                         {Kind::machine, "machine"},
-                                         {Kind::limits, "limits"}}) {
+        for (const auto& [kind, name] : {std::pair(NodeKind::part, "part"),
+                                         {NodeKind::stock, "stock"},
+                                         {NodeKind::machine, "machine"},
+                                         {NodeKind::limits, "limits"}}) {
             w().tree().select({kind, 0});
             const int walked = walk(QLatin1String(name), fixed, wrong);
             QVERIFY2(walked >= 1, name);
@@ -245,8 +245,8 @@ private slots:
         }
         for (const StockSpec::Kind kind : {StockSpec::Kind::cylinder, StockSpec::Kind::mesh}) {
             w().document().change(QStringLiteral("stock"), [&](Project& p) { p.stock.kind = kind; });
-            w().tree().select({Kind::part, 0});
-            w().tree().select({Kind::stock, 0});
+            w().tree().select({NodeKind::part, 0});
+            w().tree().select({NodeKind::stock, 0});
             fields += walk(QStringLiteral("stock %1").arg(int(kind)), fixed, wrong);
             w().document().undo_stack().undo();
             QVERIFY(wait_until_settled(w()));
@@ -265,7 +265,7 @@ private slots:
         }
         ui::add_setup(w().document(), ui::NewSetup::as_it_lies);
         QVERIFY(wait_until_settled(w()));
-        w().tree().select({Kind::setup, 1});
+        w().tree().select({NodeKind::setup, 1});
         fields += walk(QStringLiteral("setup"), fixed, wrong);
         QVERIFY2(fields > 60, qPrintable(QString::number(fields)));
         compare(fixed, wrong, {});
