@@ -173,6 +173,20 @@ void name_fields(const QList<QWidget*>& fields, const QString& label) {
 
 } // namespace
 
+QToolButton* ParameterForm::make_pick(const std::string& key, QWidget* holder) {
+    auto* pick = new QToolButton(holder);
+    pick->setObjectName(QStringLiteral("pick_") + text(key));
+    pick->setIcon(icon(Icon::pick));
+    pick->setIconSize(QSize(14, 14));
+    pick->setAutoRaise(true);
+    pick->setCheckable(true);
+    pick->setFocusPolicy(Qt::TabFocus);
+    pick->setToolTip(tr("Pick it in the view"));
+    pick->setAccessibleName(pick->toolTip());
+    connect(pick, &QToolButton::clicked, this, [this, key](bool on) { emit pick_requested(key, on); });
+    return pick;
+}
+
 void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
                             const std::vector<FormChoice>& choices) {
     const std::size_t index = rows_.size();
@@ -189,7 +203,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.label->setMinimumWidth(std::min(longest, widest_word));
     // Made before the fields, it comes before them with Tab, too, as it stands.
     if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end())
-        row.pick = new QToolButton(holder);
+        row.pick = make_pick(info.key, holder);
     row.editor = make_parameter_editor(info, choices, holder);
     row.label->setBuddy(row.editor);
     row.editor->setProperty(help_key_property, text(info.key));
@@ -212,21 +226,15 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     row.error->setWordWrap(true);
     row.error->hide();
 
-    if (row.pick) {
-        row.pick->setObjectName(QStringLiteral("pick_") + text(info.key));
-        row.pick->setIcon(icon(Icon::pick));
-        row.pick->setIconSize(QSize(14, 14));
-        row.pick->setAutoRaise(true);
-        row.pick->setCheckable(true);
-        row.pick->setFocusPolicy(Qt::TabFocus);
-        row.pick->setToolTip(tr("Pick it in the view"));
-        row.pick->setAccessibleName(row.pick->toolTip());
-        connect(row.pick, &QToolButton::clicked, this,
-                [this, key = info.key](bool on) { emit pick_requested(key, on); });
+    // Three fields side by side would else push the defaults of all rows out of a narrow form.
+    const bool has_unit = !edge_unit_name(info.quantity, LengthUnit::mm).empty(),
+               beside_label = has_unit && info.kind == ParameterKind::triple;
+    if (row.pick || beside_label) {
         auto* both = new QHBoxLayout;
         both->setContentsMargins(0, 0, 0, 0);
         both->addWidget(row.label, 1);
-        both->addWidget(row.pick);
+        if (beside_label) both->addWidget(row.unit);
+        if (row.pick) both->addWidget(row.pick);
         grid->addLayout(both, line, 0);
     } else {
         grid->addWidget(row.label, line, 0);
@@ -234,11 +242,10 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     if (info.is_list()) { // words and a button: it needs the room of unit and default, and has neither
         grid->addWidget(row.editor, line, 1, 1, 3);
         row.unit->hide();
-    } else if (edge_unit_name(info.quantity, LengthUnit::mm).empty()) {
-        // Three fields side by side would else push the defaults of all rows out of a narrow form.
+    } else if (!has_unit || beside_label) {
         grid->addWidget(row.editor, line, 1, 1, 2);
         grid->addWidget(row.reset, line, 3);
-        row.unit->hide();
+        if (!has_unit) row.unit->hide();
     } else {
         grid->addWidget(row.editor, line, 1);
         grid->addWidget(row.unit, line, 2);
