@@ -81,7 +81,8 @@ struct ClearOf {
         if (is_clear(last)) piece.push_back(last);
         for (std::size_t i = 1; i < line.size(); ++i) {
             progress.check();
-            const Vec2 from = line[i - 1], d = line[i] - from;
+            const Vec2& from = line[i - 1];
+            const Vec2 d = line[i] - from;
             if (d == Vec2::Zero()) continue;
             // Between inner corners only its middle may be clear.
             const double parts = std::max(4.0, std::ceil(d.norm() / look));

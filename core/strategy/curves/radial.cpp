@@ -166,6 +166,7 @@ StrategyResult finished(const RadialCommon& settings, const CurveJob& job, Strat
 /// Spokes so many that at their outer ends they are a length apart, or thinned out towards the centre.
 std::vector<double> spoke_places(int count) {
     std::vector<double> w;
+    w.reserve(std::size_t(std::max(count, 0)));
     for (int i = 0; i < count; ++i)
         w.push_back(double(i) / count);
     return w;
