@@ -2,13 +2,12 @@
 #include "core/strategy/curves/morph.h"
 #include "core/strategy/curves/radial.h"
 #include "tests/property/shapes.h"
+#include "tests/support/any_threads.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
-
-#include "core/base/parallel.h"
 
 #include <QTest>
 
@@ -279,18 +278,7 @@ private slots:
         const Mesh mesh = part_of_kind(1);
         for (const char* kind : {"radial", "spiral", "morph"}) {
             const auto op = operation_of(kind);
-            const auto all_tips = [&] {
-                std::vector<Vec3> tips;
-                for (const Pass& p : planned_on(mesh, *op, bull_tool(6, 1)).passes)
-                    for (const CutterLocation& c : p.cl)
-                        tips.push_back(c.tip);
-                return tips;
-            };
-            const auto many = all_tips();
-            set_thread_count(1);
-            const auto one = all_tips();
-            set_thread_count(0);
-            QVERIFY2(many == one, kind);
+            QVERIFY2(same_with_any_threads([&] { return planned_on(mesh, *op, bull_tool(6, 1)); }), kind);
             for (const double at : {0.3, 0.9}) {
                 Job job;
                 QVERIFY2(

@@ -3,13 +3,12 @@
 #include "core/strategy/steep_shallow/steep_shallow.h"
 #include "core/strategy/surface/slope_facets.h"
 #include "tests/property/shapes.h"
+#include "tests/support/any_threads.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
-
-#include "core/base/parallel.h"
 
 #include <QTest>
 
@@ -189,18 +188,7 @@ private slots:
 
     void threads_change_nothing_and_it_can_be_cancelled() {
         const Mesh mesh = mixed();
-        const auto all_tips = [&] {
-            std::vector<Vec3> tips;
-            for (const Pass& p : planned_on(mesh, divided_at(40), bull_tool(4, 1)).passes)
-                for (const CutterLocation& c : p.cl)
-                    tips.push_back(c.tip);
-            return tips;
-        };
-        const auto many = all_tips();
-        set_thread_count(1);
-        const auto one = all_tips();
-        set_thread_count(0);
-        QVERIFY(many == one);
+        QVERIFY(same_with_any_threads([&] { return planned_on(mesh, divided_at(40), bull_tool(4, 1)); }));
         for (const double at : {0.1, 0.6, 0.9}) {
             Job job;
             const SteepShallow op(divided_at(40));

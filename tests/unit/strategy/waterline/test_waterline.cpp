@@ -5,13 +5,12 @@
 #include "core/strategy/waterline/slope_steps.h"
 #include "core/strategy/waterline/waterline.h"
 #include "tests/property/shapes.h"
+#include "tests/support/any_threads.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
-
-#include "core/base/parallel.h"
 
 #include <QTest>
 
@@ -221,18 +220,7 @@ private slots:
 
     void threads_change_nothing_and_it_can_be_cancelled() {
         const Mesh mesh = pocket_with_island();
-        const auto all_tips = [&] {
-            std::vector<Vec3> tips;
-            for (const Pass& p : planned_on(mesh, settings_with(0.1), bull_tool(4, 1)).passes)
-                for (const CutterLocation& c : p.cl)
-                    tips.push_back(c.tip);
-            return tips;
-        };
-        const auto many = all_tips();
-        set_thread_count(1);
-        const auto one = all_tips();
-        set_thread_count(0);
-        QVERIFY(many == one);
+        QVERIFY(same_with_any_threads([&] { return planned_on(mesh, settings_with(0.1), bull_tool(4, 1)); }));
         for (const double at : {0.1, 0.5, 0.8}) {
             Job job;
             const Waterline op(settings_with(0.1));
