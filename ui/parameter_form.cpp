@@ -171,9 +171,8 @@ void name_fields(const QList<QWidget*>& fields, const QString& label) {
     }
 }
 
-} // namespace
-
-QToolButton* ParameterForm::make_pick(const std::string& key, QWidget* holder) {
+/// Of a place that is picked in the view, down while that goes on.
+QToolButton* pick_button(const std::string& key, QWidget* holder) {
     auto* pick = new QToolButton(holder);
     pick->setObjectName(QStringLiteral("pick_") + text(key));
     pick->setIcon(icon(Icon::pick));
@@ -181,11 +180,12 @@ QToolButton* ParameterForm::make_pick(const std::string& key, QWidget* holder) {
     pick->setAutoRaise(true);
     pick->setCheckable(true);
     pick->setFocusPolicy(Qt::TabFocus);
-    pick->setToolTip(tr("Pick it in the view"));
+    pick->setToolTip(ParameterForm::tr("Pick it in the view"));
     pick->setAccessibleName(pick->toolTip());
-    connect(pick, &QToolButton::clicked, this, [this, key](bool on) { emit pick_requested(key, on); });
     return pick;
 }
+
+} // namespace
 
 void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
                             const std::vector<FormChoice>& choices) {
@@ -202,8 +202,11 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
         longest = std::max(longest, row.label->fontMetrics().horizontalAdvance(word) + 1);
     row.label->setMinimumWidth(std::min(longest, widest_word));
     // Made before the fields, it comes before them with Tab, too, as it stands.
-    if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end())
-        row.pick = make_pick(info.key, holder);
+    if (std::find(pickable_.begin(), pickable_.end(), info.key) != pickable_.end()) {
+        row.pick = pick_button(info.key, holder);
+        connect(row.pick, &QToolButton::clicked, this,
+                [this, key = info.key](bool on) { emit pick_requested(key, on); });
+    }
     row.editor = make_parameter_editor(info, choices, holder);
     row.label->setBuddy(row.editor);
     row.editor->setProperty(help_key_property, text(info.key));

@@ -89,7 +89,6 @@ private:
         QLabel* error = nullptr;
         bool invalid = false;
     };
-    QToolButton* make_pick(const std::string& key, QWidget* holder);
     void add_row(QGridLayout* grid, const ParameterInfo& info, const std::vector<FormChoice>& choices);
     /// Checks the entry of a row and shows the message; true when `value` is good.
     bool check(Row& row, ParameterValue& value);
