@@ -12,12 +12,32 @@ namespace {
 /// Ends of edges that are nearer to each other than this share of their coordinates' size are the same.
 constexpr double same_share = 2e-6;
 
-double cross_of(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 Vec3 on_plane(const Vec2& p) {
     return {p.x(), p.y(), 0};
+}
+
+Box3 box_of_piece(const PlanLine& line, std::size_t i) {
+    Box3 box;
+    box.add(on_plane(line[i]));
+    box.add(on_plane(line[i + 1]));
+    return box;
+}
+
+BoxTree tree_of_pieces(const PlanLine& line, const Progress& progress) {
+    std::vector<Box3> boxes(line.size() - 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        boxes[i] = box_of_piece(line, i);
+    return {boxes, progress};
+}
+
+/// The share of piece i of a line at which it crosses piece k of another one.
+std::optional<double> crossing_share(const PlanLine& a, std::size_t i, const PlanLine& b, std::size_t k) {
+    const Vec2 d = a[i + 1] - a[i], e = b[k + 1] - b[k], to = b[k] - a[i];
+    const double cross = plane_cross(d, e);
+    if (cross == 0) return std::nullopt;
+    const double t = plane_cross(to, e) / cross, u = plane_cross(to, d) / cross;
+    if (!(t >= 0 && t <= 1 && u >= 0 && u <= 1)) return std::nullopt;
+    return t;
 }
 
 /// The shifted pieces of a line one after another, with arcs round its outer corners, broken at its inner
@@ -32,7 +52,7 @@ std::vector<PlanLine> raw_beside(const CurveCourse& course, double left, double 
     };
     std::vector<PlanLine> raw(1);
     const auto turn = [&](const Vec2& corner, const Vec2& from, const Vec2& to) {
-        const double angle = std::atan2(cross_of(from, to), from.dot(to));
+        const double angle = std::atan2(plane_cross(from, to), from.dot(to));
         if (angle * left > 0) {
             raw.emplace_back();
             return;
@@ -112,13 +132,11 @@ bool append_meeting(PlanLine& line, const PlanLine& next, double same) {
     const std::size_t last = line.size() - 1, first = last - looked_at(line);
     for (std::size_t j = 0; j < looked_at(next); ++j)
         for (std::size_t i = last; i-- > first;) {
-            const Vec2 d = line[i + 1] - line[i], e = next[j + 1] - next[j], to = next[j] - line[i];
-            const double cross = cross_of(d, e);
-            if (cross == 0) continue;
-            const double t = cross_of(to, e) / cross, u = cross_of(to, d) / cross;
-            if (!(t >= 0 && t <= 1 && u >= 0 && u <= 1)) continue;
+            const auto t = crossing_share(line, i, next, j);
+            if (!t) continue;
+            const Vec2 at = line[i] + *t * (line[i + 1] - line[i]);
             line.resize(i + 1);
-            line.push_back(line[i] + t * d);
+            line.push_back(at);
             line.insert(line.end(), next.begin() + std::ptrdiff_t(j) + 1, next.end());
             return true;
         }
@@ -132,7 +150,7 @@ bool append_meeting(PlanLine& line, const PlanLine& next, double same) {
 double turned_area(const PlanCurve& curve) {
     double sum = 0;
     for (std::size_t i = 0; i < curve.points.size(); ++i)
-        sum += cross_of(curve.points[i], curve.points[(i + 1) % curve.points.size()]);
+        sum += plane_cross(curve.points[i], curve.points[(i + 1) % curve.points.size()]);
     return sum;
 }
 
@@ -251,14 +269,8 @@ PlanLine CurveCourse::stretch(double s0, double s1) const {
     return part;
 }
 
-LineDistance::LineDistance(const PlanLine& line, const Progress& progress) : line_(line) {
-    std::vector<Box3> boxes(line.size() - 1);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        boxes[i].add(on_plane(line[i]));
-        boxes[i].add(on_plane(line[i + 1]));
-    }
-    tree_ = BoxTree(boxes, progress);
-}
+LineDistance::LineDistance(const PlanLine& line, const Progress& progress)
+    : line_(line), tree_(tree_of_pieces(line, progress)) {}
 
 LineDistance::Near LineDistance::near(const Vec2& p) const {
     Near found;
@@ -309,31 +321,19 @@ std::vector<PlanCurve> curves_beside(const PlanCurve& curve, double left, double
 }
 
 std::optional<Vec2> crossing_of(const PlanLine& a, const PlanLine& b, const Progress& progress) {
-    std::vector<Box3> boxes(b.size() - 1);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        boxes[i].add(on_plane(b[i]));
-        boxes[i].add(on_plane(b[i + 1]));
-    }
-    const BoxTree tree(boxes, progress);
+    const BoxTree tree = tree_of_pieces(b, progress);
     for (std::size_t i = 0; i + 1 < a.size(); ++i) {
         progress.check();
-        Box3 own;
-        own.add(on_plane(a[i]));
-        own.add(on_plane(a[i + 1]));
+        const Box3 own = box_of_piece(a, i);
         std::optional<double> first;
-        const Vec2 d = a[i + 1] - a[i];
         tree.each(
             [&](const Box3& box) {
                 return (box.lo.array() <= own.hi.array()).all() && (own.lo.array() <= box.hi.array()).all();
             },
             [&](std::size_t k) {
-                const Vec2 e = b[k + 1] - b[k], to = b[k] - a[i];
-                const double cross = cross_of(d, e);
-                if (cross == 0) return;
-                const double t = cross_of(to, e) / cross, u = cross_of(to, d) / cross;
-                if (t >= 0 && t <= 1 && u >= 0 && u <= 1 && (!first || t < *first)) first = t;
+                if (const auto t = crossing_share(a, i, b, k); t && (!first || *t < *first)) first = t;
             });
-        if (first) return a[i] + *first * d;
+        if (first) return a[i] + *first * (a[i + 1] - a[i]);
     }
     return std::nullopt;
 }

@@ -14,10 +14,6 @@ namespace {
 /// asked so many times farther from it.
 constexpr double same_share = 1e-9, beside_same = 8;
 
-double plane_cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 Box3 flat_box(const PlanEdge& e) {
     Box3 box;
     box.add(Vec3(e[0].x(), e[0].y(), 0));

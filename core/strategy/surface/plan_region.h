@@ -12,6 +12,11 @@
 
 namespace facetmill {
 
+/// The third coordinate of the cross product of two vectors in the plane.
+inline double plane_cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 /// From its first place to its second.
 using PlanEdge = std::array<Vec2, 2>;
 
