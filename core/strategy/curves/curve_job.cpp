@@ -137,6 +137,15 @@ std::vector<Pass> CurveJob::passes(const PlanLine& line, double beside, const Pr
     return all;
 }
 
+UncutInput CurveJob::uncut_input(const Mesh& surface) const {
+    UncutInput input;
+    input.mesh = &surface;
+    input.lift = &lift;
+    input.cover = &cover;
+    input.allowance = allowance;
+    return input;
+}
+
 CurveFinish::CurveFinish(const CurveJob& job)
     : job_(job), filter_(job.settings, job.context, job.profile,
                          {job.cusp_allowed, job.allowance, job.chord, job.settings.holder_clearance,
@@ -144,13 +153,8 @@ CurveFinish::CurveFinish(const CurveJob& job)
                          [&job](const Vec3& tip) { return job.contact(tip); }) {}
 
 void CurveFinish::check_uncut(const StrategyResult& result, const Mesh& covered, const Progress& progress) {
-    UncutInput input;
-    input.mesh = &covered;
-    input.lift = &job_.lift;
-    input.cover = &job_.cover;
-    input.allowance = job_.allowance;
-    uncut_ = uncut_by_levels(input, job_.context, {result.passes, filter_.held().left}, job_.profile,
-                             job_.cusp_allowed, progress);
+    uncut_ = uncut_by_levels(job_.uncut_input(covered), job_.context, {result.passes, filter_.held().left},
+                             job_.profile, job_.cusp_allowed, progress);
 }
 
 void CurveFinish::run(StrategyResult& result, const Options& options, const Progress& progress) {

@@ -89,6 +89,8 @@ public:
     Pass pass(const PlanLine& line, const Progress& progress) const;
     /// Passes along what of a line has something to cut.
     std::vector<Pass> passes(const PlanLine& line, double beside, const Progress& progress) const;
+    /// What of a surface is asked whether it stays uncut; it and this must outlive the answer.
+    UncutInput uncut_input(const Mesh& surface) const;
 
 private:
     double level_step_;

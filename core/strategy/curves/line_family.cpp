@@ -190,11 +190,7 @@ void FamilyPlanner::fill_overlooked(std::vector<FamilyLine>& lines, bool around,
         std::vector<Pass> passes;
         for (const FamilyLine& l : lines)
             add_all(passes, l);
-        UncutInput input;
-        input.mesh = &surface;
-        input.lift = &job_.lift;
-        input.cover = &job_.cover;
-        input.allowance = job_.allowance;
+        UncutInput input = job_.uncut_input(surface);
         input.tell_passed = true;
         const UncutReport report =
             uncut_by_levels(input, job_.context, {passes, {}}, job_.profile, job_.cusp_allowed, here);
@@ -227,6 +223,26 @@ void FamilyPlanner::fill_overlooked(std::vector<FamilyLine>& lines, bool around,
                          [](const FamilyLine& a, const FamilyLine& b) { return a.w < b.w; });
     }
     progress.set(1);
+}
+
+void take_passes(std::vector<FamilyLine> lines, StrategyResult& result) {
+    for (FamilyLine& line : lines) {
+        for (Pass& p : line.passes) {
+            p.drive = result.drive_planes;
+            result.passes.push_back(std::move(p));
+        }
+        ++result.drive_planes;
+    }
+}
+
+StrategyResult finished(const CurveJob& job, const FamilyPlanner& planner, StrategyResult result,
+                        const char* what_to_check, const Progress& progress) {
+    if (result.passes.empty())
+        throw Error(ErrorCode::empty_result, job.settings.name, "no pass meets the part", what_to_check);
+    // Moves may run above the exact path by the chord tolerance, which the step-over has left room for.
+    result.cusp_max = job.settings.stepover.is_number() ? job.chord : job.cusp_allowed;
+    CurveFinish(job).run(result, {job.context.part.get(), planner.unsatisfied(), false}, progress);
+    return result;
 }
 
 } // namespace facetmill

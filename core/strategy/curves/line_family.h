@@ -79,4 +79,12 @@ private:
     std::atomic<int> unsatisfied_ = 0;
 };
 
+/// Appends the passes of lines, each line a drive plane of its own.
+void take_passes(std::vector<FamilyLine> lines, StrategyResult& result);
+
+/// A plan of a family's passes, which are in `result`, as CurveFinish leaves it. Throws Error(empty_result),
+/// with `what_to_check` as the advice, where there are none.
+StrategyResult finished(const CurveJob& job, const FamilyPlanner& planner, StrategyResult result,
+                        const char* what_to_check, const Progress& progress);
+
 } // namespace facetmill

@@ -21,10 +21,6 @@ constexpr double blend_reach = 0.55;
 constexpr double ends_radii = 1.02;
 constexpr double max_blends = 20'000;
 
-double plane_cross_of(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Blends of two curves. They go on beyond either one, straight, for tips that touch its border.
 class Blend : public LineFamily {
 public:
@@ -71,7 +67,7 @@ public:
                 const auto c = corners(i, k);
                 if (c[0].w < 0 || c[2].w > 1) continue;
                 const Vec2 p = at(c[0].t, c[0].w), u = at(c[1].t, c[1].w) - p, v = at(c[2].t, c[2].w) - p;
-                const double area = plane_cross_of(u, v);
+                const double area = plane_cross(u, v);
                 if (std::abs(area) <= 1e-9 * u.norm() * v.norm() || u.norm() * v.norm() == 0) continue;
                 const int own = area > 0 ? 1 : -1;
                 if (turn == 0) turn = own;
@@ -103,9 +99,9 @@ private:
             const Place &o = c[std::size_t(three[0])], &a = c[std::size_t(three[1])],
                         &b = c[std::size_t(three[2])];
             const Vec2 q = at(o.t, o.w), u = at(a.t, a.w) - q, v = at(b.t, b.w) - q;
-            const double area = plane_cross_of(u, v);
+            const double area = plane_cross(u, v);
             if (area == 0) continue;
-            const double x = plane_cross_of(p - q, v) / area, y = plane_cross_of(u, p - q) / area;
+            const double x = plane_cross(p - q, v) / area, y = plane_cross(u, p - q) / area;
             if (x < 0 || y < 0 || x + y > 1) continue;
             return Place{o.t + x * (a.t - o.t) + y * (b.t - o.t), o.w + x * (a.w - o.w) + y * (b.w - o.w)};
         }
@@ -265,22 +261,9 @@ private:
             planner.fill_overlooked(lines, false, *job.context.part, progress.part(0.6, 0.75));
         }
         StrategyResult result;
-        for (FamilyLine& line : lines) {
-            for (Pass& p : line.passes) {
-                p.drive = result.drive_planes;
-                result.passes.push_back(std::move(p));
-            }
-            ++result.drive_planes;
-        }
-        if (result.passes.empty())
-            throw Error(ErrorCode::empty_result, settings_.name, "no pass meets the part",
-                        "check part and curves");
+        take_passes(std::move(lines), result);
         result.stepover_min = result.stepover_max = step;
-        result.cusp_max = fixed ? job.chord : job.cusp_allowed;
-
-        CurveFinish(job).run(result, {job.context.part.get(), planner.unsatisfied(), false},
-                             progress.part(0.75, 1));
-        return result;
+        return finished(job, planner, std::move(result), "check part and curves", progress.part(0.75, 1));
     }
 
     const MorphSettings& settings_;

@@ -128,16 +128,6 @@ private:
     Vec2 center_;
 };
 
-void take_passes(const std::vector<FamilyLine>& lines, StrategyResult& result) {
-    for (const FamilyLine& line : lines) {
-        for (const Pass& p : line.passes) {
-            result.passes.push_back(p);
-            result.passes.back().drive = result.drive_planes;
-        }
-        ++result.drive_planes;
-    }
-}
-
 /// Passes that lie end to end, as turns of a spiral do, are one.
 void join_ends(std::vector<Pass>& passes) {
     std::vector<Pass> all;
@@ -152,16 +142,7 @@ void join_ends(std::vector<Pass>& passes) {
     passes = std::move(all);
 }
 
-StrategyResult finished(const RadialCommon& settings, const CurveJob& job, StrategyResult result,
-                        const FamilyPlanner& planner, const Progress& progress) {
-    if (result.passes.empty())
-        throw Error(ErrorCode::empty_result, settings.name, "no pass meets the part",
-                    "check part, centre and radii");
-    // Moves may run above the exact path by the chord tolerance, which the step-over has left room for.
-    result.cusp_max = settings.stepover.is_number() ? job.chord : job.cusp_allowed;
-    CurveFinish(job).run(result, {job.context.part.get(), planner.unsatisfied(), false}, progress);
-    return result;
-}
+constexpr const char* what_to_check = "check part, centre and radii";
 
 /// Spokes so many that at their outer ends they are a length apart, or thinned out towards the centre.
 std::vector<double> spoke_places(int count) {
@@ -259,9 +240,9 @@ StrategyResult Radial::plan(const PlanContext& context, const Progress& progress
         }
     }
     StrategyResult result;
-    take_passes(lines, result);
+    take_passes(std::move(lines), result);
     result.stepover_min = result.stepover_max = step;
-    return finished(settings_, job, std::move(result), planner, progress.part(0.7, 1));
+    return finished(job, planner, std::move(result), what_to_check, progress.part(0.7, 1));
 }
 
 namespace {
@@ -353,10 +334,10 @@ StrategyResult Spiral::plan(const PlanContext& context, const Progress& progress
     std::vector<FamilyLine> spiral, between;
     for (FamilyLine& l : lines)
         (l.whole ? spiral : between).push_back(std::move(l));
-    take_passes(spiral, result);
+    take_passes(std::move(spiral), result);
     join_ends(result.passes);
-    take_passes(between, result);
-    return finished(settings_, job, std::move(result), planner, progress.part(0.75, 1));
+    take_passes(std::move(between), result);
+    return finished(job, planner, std::move(result), what_to_check, progress.part(0.75, 1));
 }
 
 } // namespace facetmill
