@@ -177,12 +177,19 @@ Vec2 ContourFinder::crossing(std::uint32_t edge, At& at) const {
 
 /// A free place beside the border between a free place and one that is too high.
 Vec2 ContourFinder::border(Vec2 free, double free_z, Vec2 blocked, double blocked_z, At& at) const {
-    const double near = border_share * tolerance_.above, aim = at.z - 0.5 * near;
-    for (int k = 0; (blocked - free).norm() > near && !(at.z - free_z <= near); ++k) {
+    const double near = border_share * tolerance_.above;
+    for (int k = 0;; ++k) {
+        const double apart = (blocked - free).norm();
+        // On a slope a free place is nearer to the border in the plan than its height is to the level.
+        const bool is_slope = free_z > -infinity && blocked_z > free_z;
+        const double slope = is_slope ? (blocked_z - free_z) / apart : 0.0;
+        const double below = near * std::max(slope, 1.0);
+        if (!(apart > near) || at.z - free_z <= below) break;
+        if (is_slope) at.slope = slope;
         // Straight between the two heights, mostly; halved where that comes no nearer.
         double share = 0.5;
-        if (k % 3 != 2 && free_z > -infinity && blocked_z > free_z)
-            share = std::clamp((aim - free_z) / (blocked_z - free_z), 0.02, 0.98);
+        if (k % 3 != 2 && is_slope)
+            share = std::clamp((at.z - 0.5 * below - free_z) / (blocked_z - free_z), 0.02, 0.98);
         const Vec2 p = free + share * (blocked - free);
         const double z = tip_z(p, at);
         if (z <= at.z) {
@@ -204,7 +211,11 @@ std::optional<Vec2> ContourFinder::beside(const Vec2& a, const Vec2& b, bool mid
     const Vec2 left = Vec2(-along.y(), along.x()) / length, towards = middle_free ? left : Vec2(-left);
     Vec2 last = middle;
     double last_z = middle_z;
-    for (double away = tolerance_.above; away <= 0.75 * length + tolerance_.above; away *= 2) {
+    // As far as the slope beside the last place says, and a little: then the border lies between.
+    double away = tolerance_.above;
+    if (at.slope > 0 && middle_z > -infinity)
+        away = std::clamp(1.25 * std::abs(at.z - middle_z) / at.slope, away, 0.5 * length);
+    for (; away <= 0.75 * length + tolerance_.above; away *= 2) {
         const Vec2 p = middle + away * towards;
         const double z = tip_z(p, at);
         if ((z <= at.z) != middle_free)

@@ -47,6 +47,7 @@ private:
         double z;
         LiftHint hint;
         const Progress& progress;
+        double slope = 0; ///< of the lift across the border, where one was found last; 0: not known
     };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> steps(double z, const Progress& progress) const;
     std::vector<Chain> chains(double z, const Progress& progress) const;

@@ -91,9 +91,9 @@ WaterlinePlanner::WaterlinePlanner(const WaterlineSettings& settings, const Plan
               {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
               contact_at()) {
     // Between free places the cutter may come too near by half of the chord tolerance, by leaving places out
-    // by the other half; what stays beside a contour is half of it at most.
+    // by the other half; what stays beside a contour is as much, and the steps leave room for both.
     fine_.below = 0.5 * chord_;
-    fine_.above = 0.25 * chord_;
+    fine_.above = 0.5 * chord_;
     fine_.spacing = safe_spacing(profile_, fine_.below);
 }
 
