@@ -88,12 +88,24 @@ std::vector<SetLimit> set_limits(const Study& study, const RungResult& project) 
     return limits;
 }
 
+/// What a limit comes to at a look. A gouge or an excess that a coarse look has found is there; percentiles,
+/// shares and loads are estimates from fewer places and coarser stock, and a few hundredths more or less
+/// than those of a fine look.
+double limit_at(const SetLimit& limit, Rung rung) {
+    constexpr double doubt = 0.1, min_share = 0.001;
+    const Measure m = limit.measure;
+    if (rung != Rung::coarse || known_from(m) != Rung::coarse || m == Measure::gouge_max
+        || m == Measure::excess_max)
+        return limit.most;
+    return (1 + doubt) * limit.most + (m == Measure::uncut_share ? min_share : 0);
+}
+
 /// By which share of it the limit that is missed most is missed.
-double largest_miss(const RungResult& result, const std::vector<SetLimit>& limits) {
+double largest_miss(const RungResult& result, Rung rung, const std::vector<SetLimit>& limits) {
     double miss = 0;
     for (const SetLimit& limit : limits) {
         const auto& value = result.measures[limit.measure];
-        if (!value || *value <= limit.most) continue;
+        if (!value || *value <= limit_at(limit, rung)) continue;
         miss = std::max(miss, limit.most > 0 ? *value / limit.most - 1 : std::numeric_limits<double>::max());
     }
     return miss;
@@ -144,7 +156,7 @@ private:
 
     bool meets(std::size_t c, Rung rung) const {
         const auto& result = seen_[c].at(rung);
-        return result && result->passed && largest_miss(*result, decision_.limits) == 0;
+        return result && result->passed && largest_miss(*result, rung, decision_.limits) == 0;
     }
 
     bool known_at_first() {
@@ -180,8 +192,19 @@ private:
                 if (meets(order[i], rung_of(order[i], Rung::coarse))) passed.push_back(order[i]);
             const auto found = finalists(coarse_order(passed), share(study_.fine));
             if (!found) return false;
-            if (*found || looked_at == order.size()) return true;
+            if (*found || !could_win(order, looked_at)) return true;
         }
+    }
+
+    /// Is there one from this place on that is not known to be no better than the project as it stands?
+    bool could_win(const std::vector<std::size_t>& order, std::size_t from) const {
+        const Measure first = study_.want.front();
+        const auto begin = order.begin() + std::ptrdiff_t(from);
+        if (known_from(first) != Rung::estimate || !meets(project, Rung::fine)) return begin != order.end();
+        const double own = wanted_value(seen_[project].at(Rung::fine)->measures, first);
+        return std::any_of(begin, order.end(), [&](std::size_t c) {
+            return c != project && wanted_value(seen_[c].at(Rung::estimate)->measures, first) < own;
+        });
     }
 
     std::vector<std::size_t> coarse_order(const std::vector<std::size_t>& passed) const {
@@ -190,7 +213,7 @@ private:
         return best_first(study_, alike, passed, Rung::coarse);
     }
 
-    /// Has one of them passed? Nothing: something is missing.
+    /// Has one of them passed that is not the project as it stands? Nothing: something is missing.
     std::optional<bool> finalists(const std::vector<std::size_t>& order, std::size_t first) {
         for (std::size_t k = first;; k *= 2) {
             const std::size_t looked_at = std::min(k, order.size());
@@ -198,7 +221,7 @@ private:
                 asks(order[i], Rung::fine);
             if (!decision_.missing.empty()) return std::nullopt;
             for (std::size_t i = 0; i < looked_at; ++i)
-                if (meets(order[i], Rung::fine)) return true;
+                if (order[i] != project && meets(order[i], Rung::fine)) return true;
             if (looked_at == order.size()) return false;
         }
     }
@@ -222,7 +245,7 @@ private:
         for (std::size_t c = 0; c < seen_.size(); ++c) {
             const RungResult* last = seen_[c].usable ? seen_[c].last() : nullptr;
             if (!last) continue;
-            const Miss miss{!last->passed, largest_miss(*last, decision_.limits)};
+            const Miss miss{!last->passed, largest_miss(*last, *seen_[c].closest(), decision_.limits)};
             const bool nearer = miss.not_passed != least.not_passed ? !miss.not_passed : miss.by < least.by;
             if (decision_.nearest && !nearer) continue;
             decision_.nearest = c;
@@ -238,21 +261,26 @@ private:
 
 } // namespace
 
-const RungResult* CandidateState::last() const {
+std::optional<Rung> CandidateState::closest() const {
     for (std::size_t i = rungs.size(); i-- > 0;)
-        if (rungs[i]) return &*rungs[i];
-    return nullptr;
+        if (rungs[i]) return all_rungs[i];
+    return std::nullopt;
+}
+
+const RungResult* CandidateState::last() const {
+    const auto rung = closest();
+    return rung ? &*at(*rung) : nullptr;
 }
 
 StudyDecision decide(const Study& study, const std::vector<CandidateState>& candidates) {
     return Decider(study, candidates).decide();
 }
 
-std::string missed_limits(const RungResult& result, const std::vector<SetLimit>& limits) {
+std::string missed_limits(const RungResult& result, Rung rung, const std::vector<SetLimit>& limits) {
     std::string text;
     for (const SetLimit& limit : limits) {
         const auto& value = result.measures[limit.measure];
-        if (!value || *value <= limit.most) continue;
+        if (!value || *value <= limit_at(limit, rung)) continue;
         const std::string missed = std::string(measure_name(limit.measure)) + " is " + format_number(*value)
                                    + ", at most " + format_number(limit.most) + " is allowed";
         text += (text.empty() ? "" : "; ") + missed;

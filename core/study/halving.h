@@ -2,8 +2,10 @@
 // of them and of nothing else, so that it does not matter who found it out, when, and in which order.
 //
 // All are planned. What does not meet a limit then is out; of the rest the better share is judged coarsely,
-// and of those that pass the better share as `facetmill-cli simulate` judges. Where none of these passes, the
-// next ones come, twice as many each time, until one does or there is none left. Better is what fewer others
+// and of those that pass the better share as `facetmill-cli simulate` judges. Where none of these passes but
+// the project as it stands, the next ones come, twice as many each time, until one does or there is none left
+// that could do better than it. A coarse look leaves it open whether percentiles, shares and loads near their
+// limits meet them. Better is what fewer others
 // surpass in all that is wanted: the first front, then the next (Deb et al. 2002), in each by the first thing
 // wanted. What is wanted and not known before a verdict is stood for by the planned cusp.
 #pragma once
@@ -29,7 +31,9 @@ struct RungResult {
 struct CandidateState {
     bool usable = true; ///< false: there is no such project, or it is that of a candidate before
     std::array<std::optional<RungResult>, 3> rungs;
-    /// That of the closest look, null where there was none.
+    /// The closest look; nothing where there was none.
+    std::optional<Rung> closest() const;
+    /// What that came to, null where there was none.
     const RungResult* last() const;
     const std::optional<RungResult>& at(Rung rung) const { return rungs[std::size_t(rung)]; }
 };
@@ -61,8 +65,8 @@ struct StudyDecision {
 /// that comes to, and it has not been verified.
 StudyDecision decide(const Study& study, const std::vector<CandidateState>& candidates);
 
-/// The limits that a result does not meet, of those that it tells something of: "excess_max is 0.003, at most
-/// 0.002"; empty where it meets them.
-std::string missed_limits(const RungResult& result, const std::vector<SetLimit>& limits);
+/// The limits that the result of a look at `rung` does not meet, of those that it tells something of:
+/// "excess_max is 0.003, at most 0.002"; empty where it meets them, or may do so.
+std::string missed_limits(const RungResult& result, Rung rung, const std::vector<SetLimit>& limits);
 
 } // namespace facetmill

@@ -22,7 +22,7 @@ std::string why_no_winner(const StudyOutcome& outcome, std::size_t candidate) {
     const RungResult* last = outcome.states[candidate].last();
     if (!last) return "not looked at";
     if (!last->passed) return last->why;
-    return missed_limits(*last, outcome.decision.limits);
+    return missed_limits(*last, *outcome.states[candidate].closest(), outcome.decision.limits);
 }
 
 CandidateStanding standing_of(const StudyOutcome& outcome, std::size_t candidate) {
@@ -36,9 +36,8 @@ CandidateStanding standing_of(const StudyOutcome& outcome, std::size_t candidate
 namespace {
 
 std::string rung_of_state(const CandidateState& state) {
-    for (std::size_t r = all_rungs.size(); r-- > 0;)
-        if (state.rungs[r]) return std::string(rung_name(all_rungs[r]));
-    return "";
+    const auto rung = state.closest();
+    return rung ? std::string(rung_name(*rung)) : "";
 }
 
 Json candidate_json(const StudyFolder& folder, const StudyOutcome& outcome, std::size_t i) {

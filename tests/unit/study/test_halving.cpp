@@ -185,6 +185,54 @@ private slots:
         QVERIFY(s.told[4].at(Rung::coarse) && !s.told[3].at(Rung::coarse));
     }
 
+    /// A coarse look is no proof that a percentile is beyond its limit; of what it has found it is.
+    void near_a_limit_a_fine_look_decides() {
+        for (const Measure m : {Measure::excess_p99, Measure::excess_p95, Measure::peak_load, Measure::wear,
+                                Measure::uncut_share, Measure::excess_max, Measure::gouge_max})
+            for (const double coarsely : {1.0, 1.05, 1.3}) {
+                KnownStudy s;
+                s.study.want = {Measure::machining_time};
+                s.study.limits = {{m, 1, true}};
+                for (const double time : {9.0, 5.0}) {
+                    CandidateState c;
+                    for (auto& look : c.rungs)
+                        look = result_of(time, 0.1);
+                    c.rungs[1]->measures[m] = coarsely * 0.1;
+                    c.rungs[2]->measures[m] = 0.1;
+                    s.truth.push_back(c);
+                }
+                const bool found = m == Measure::excess_max || m == Measure::gouge_max;
+                const bool open = coarsely == 1 || (coarsely < 1.1 && !found);
+                QCOMPARE(s.to_the_end().winner, std::optional<std::size_t>(open ? 1 : 0));
+                // And what it says itself counts at the end.
+                s.truth[1].rungs[2]->measures[m] = 0.101;
+                QCOMPARE(s.to_the_end().winner, std::optional<std::size_t>(0));
+            }
+    }
+
+    /// That the project meets the limits is no reason to look at no others.
+    void the_next_ones_come_where_the_project_alone_passes() {
+        KnownStudy s;
+        s.study.want = {Measure::machining_time, Measure::excess_max};
+        s.study.coarse = s.study.fine = 0.1;
+        s.truth.push_back({true, {result_of(9, std::nullopt), result_of(9, 1), result_of(9, 1)}});
+        for (auto& look : s.truth[0].rungs) // with the smallest cusp: one of the first that are looked at
+            look->measures[Measure::cusp_max] = 0.05;
+        for (int i = 1; i < 20; ++i) { // the fastest do not pass, the last ones are no faster
+            const bool passes = i >= 12;
+            s.truth.push_back({true,
+                               {result_of(i < 16 ? i * 0.5 : 9.5, std::nullopt),
+                                result_of(i * 0.5, 1, passes), result_of(i * 0.5, 1, passes)}});
+        }
+        QCOMPARE(s.to_the_end().winner, std::optional<std::size_t>(12));
+        for (int i = 12; i < 16; ++i)
+            s.truth[std::size_t(i)].rungs[1]->passed = s.truth[std::size_t(i)].rungs[2]->passed = false;
+        QCOMPARE(s.to_the_end().winner, std::optional<std::size_t>(0));
+        for (int i = 1; i < 16; ++i)
+            QVERIFY(s.told[std::size_t(i)].at(Rung::coarse));
+        QVERIFY(!s.told[19].at(Rung::coarse)); // it takes longer than the project
+    }
+
     void limits_are_told_and_the_nearest_is_named() {
         KnownStudy s;
         s.study.want = {Measure::machining_time};
@@ -195,7 +243,7 @@ private slots:
         StudyDecision d = s.to_the_end();
         QVERIFY(!d.winner && d.front.empty());
         QCOMPARE(d.nearest, std::optional<std::size_t>(1)); // half over; the other one is by one and a half
-        QCOMPARE(missed_limits(*s.told[2].last(), d.limits),
+        QCOMPARE(missed_limits(*s.told[2].last(), Rung::coarse, d.limits),
                  std::string("excess_max is 0.5, at most 0.2 is allowed"));
         // As the project itself is the limit, it meets that.
         s.study.limits = {{Measure::excess_max, 1, true}};
