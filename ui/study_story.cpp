@@ -14,6 +14,17 @@ namespace facetmill::ui {
 
 namespace {
 
+/// How much more than the project's own a peak load is where it is told.
+constexpr double told_load = 1.5;
+
+/// The peak load of a candidate over that of the project as it stands; 0 where one is not known.
+double peak_load_ratio(const StudyOutcome& outcome, std::size_t candidate) {
+    const RungResult *of = state_of(outcome, candidate).last(), *project = state_of(outcome, 0).last();
+    if (!of || !project) return 0;
+    const auto load = of->measures[Measure::peak_load], usual = project->measures[Measure::peak_load];
+    return load && usual && *usual > 0 ? *load / *usual : 0;
+}
+
 /// A coarse look takes this share of a fine one (core/study/evaluation.cpp).
 constexpr double coarse_share = 1.0 / 3.5;
 
@@ -40,6 +51,10 @@ QString study_outcome_words(const StudyLook& look) {
         words = QObject::tr("Candidate %1 wins: %2 of machining, against %3 of the project as it stands.")
                     .arg(*winner)
                     .arg(time(*winner), time(0));
+        if (const double more = peak_load_ratio(outcome, *winner); more >= told_load)
+            words = QObject::tr("%1 Its peak load is %2 times the project's: nothing here knows whether "
+                                "machine and tool stand that.")
+                        .arg(words, number_text(more, 2));
     } else {
         try {
             check_winner(*look.folder, outcome);
