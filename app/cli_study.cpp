@@ -2,11 +2,11 @@
 #include "app/cli_commands.h"
 #include "app/cli_project.h"
 #include "app/cli_session.h"
-#include "core/base/child_process.h"
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/study/local_workers.h"
 #include "core/study/slurm.h"
+#include "core/study/ssh_workers.h"
 #include "core/study/study_results.h"
 #include "core/study/study_run.h"
 #include "facetmill_version.h"
@@ -47,47 +47,6 @@ StudyWorkers study_workers(const StudyFolder& folder, const Arguments& arguments
     return own_workers(folder, fs::read_symlink("/proc/self/exe"), count, threads);
 }
 
-std::vector<std::string> ssh_words(const std::string& host, const std::string& command) {
-    return {"-o", "BatchMode=yes", "-o", "ConnectTimeout=20", host, command};
-}
-
-bool answers(const fs::path& ssh, const std::string& host) {
-    const MemoryFile nothing("facetmill-study");
-    return ChildProcess(ssh, ssh_words(host, "true"), nothing, nothing).wait() == 0;
-}
-
-/// Workers on another machine that sees the folder under the same name, each begun by ssh.
-StudyWorkers remote_workers(const StudyFolder& folder, const Arguments& arguments, const std::string& host) {
-    if (host.empty() || host[0] == '-')
-        throw Error(ErrorCode::usage, "--on", "'" + printable(host) + "' is no host", "give ssh:HOST");
-    StudyWorkers workers = study_workers(folder, arguments);
-    const std::string program = arguments.value("--remote-program", workers.program.string());
-    workers.program = program_on_path("ssh");
-    if (workers.program.empty())
-        throw Error(ErrorCode::not_found, "ssh", "there is no such program",
-                    "install it (Debian: openssh-client), or give --on local");
-    const auto local = workers.arguments;
-    workers.arguments = [=](const StudyWork& w) {
-        std::string command = "exec " + shell_word(program);
-        for (const std::string& word : local(w))
-            command += " " + shell_word(word);
-        return ssh_words(host, command);
-    };
-    workers.judge_status = [=, ssh = workers.program](int status) {
-        constexpr int no_connection = 255, no_program = 127, no_right = 126;
-        const std::string where = "ssh:" + printable(host, 200);
-        if (status == no_connection && answers(ssh, host)) return true; // its status where a signal ended it
-        if (status == no_connection)
-            throw Error(ErrorCode::not_found, where, "the host cannot be reached without a password",
-                        "see what ssh says to it");
-        if (status == no_program || status == no_right)
-            throw Error(ErrorCode::not_found, where, "there is no program " + printable(program, 200),
-                        "install the same one there, or name it: --remote-program");
-        return false;
-    };
-    return workers;
-}
-
 void conclude(const StudyFolder& folder, const StudyOutcome& outcome, Session& session) {
     write_study(folder, outcome, [&] { session.print(study_summary(folder, outcome)); });
     if (!outcome.lost.empty())
@@ -120,8 +79,9 @@ void carry_out(const StudyFolder& folder, const Arguments& arguments, Session& s
     if (on != "local" && !on.starts_with(ssh))
         throw Error(ErrorCode::usage, "--on", "'" + printable(on) + "' is no place to work",
                     "give local, slurm or ssh:HOST");
-    const StudyWorkers workers = on == "local" ? study_workers(folder, arguments)
-                                               : remote_workers(folder, arguments, on.substr(ssh.size()));
+    StudyWorkers workers = study_workers(folder, arguments);
+    if (on != "local")
+        workers = workers_by_ssh(workers, on.substr(ssh.size()), arguments.value("--remote-program", ""));
     conclude(folder, run_study(folder, work_by_processes(workers), session.progress()), session);
 }
 

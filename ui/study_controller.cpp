@@ -6,6 +6,7 @@
 #include "ui/study_adoption.h"
 #include "ui/study_chart.h"
 #include "ui/study_form.h"
+#include "ui/study_place.h"
 #include "ui/study_sight.h"
 #include "ui/study_story.h"
 #include "ui/text.h"
@@ -66,10 +67,12 @@ void StudyController::connect_dialog() {
     connect(dialog_, &StudyDialog::table_wanted, this, &StudyController::export_table);
     connect(dialog_, &StudyDialog::picture_wanted, this, &StudyController::export_picture);
     connect(dialog_, &StudyDialog::candidate_chosen, this, &StudyController::refresh);
-    connect(dialog_->form(), &StudyForm::changed, this, [this] {
+    const auto asked_otherwise = [this] {
         problem_.clear();
         refresh();
-    });
+    };
+    connect(dialog_->form(), &StudyForm::changed, this, asked_otherwise);
+    connect(dialog_->place(), &StudyPlaceForm::changed, this, asked_otherwise);
 }
 
 bool StudyController::busy() const {
@@ -194,24 +197,25 @@ bool StudyController::write_file() {
 
 void StudyController::start() {
     if (job_.running()) return;
-    problem_.clear();
+    problem_ = dialog()->place()->problem();
+    if (!problem_.isEmpty()) return refresh();
     const bool asked_here = source_.file.empty() && source_.folder.empty();
     if (asked_here && !write_file()) return refresh();
-    if (dialog_->form()->on_slurm())
-        run_on_slurm(!folder_);
+    const StudyPlace place = dialog_->place()->place();
+    if (place.where == StudyPlace::Where::slurm)
+        run_on_slurm(!folder_, place);
     else
-        run(!folder_);
+        run(!folder_, place);
 }
 
-void StudyController::run(bool make) {
+void StudyController::run(bool make, const StudyPlace& place) {
     running_ = true;
     news_ = std::make_shared<StudyNews>();
     auto found = std::make_shared<StudyLookPtr>();
     job_.start(
         tr("Working on the study"),
-        [found, make, source = source_, news = news_,
-         workers = dialog_->form()->workers()](const Progress& p) {
-            *found = carry_out(open_study_folder(source.file, source.folder, make), workers, *news, p);
+        [found, make, place, source = source_, news = news_](const Progress& p) {
+            *found = carry_out(open_study_folder(source.file, source.folder, make), place, *news, p);
         },
         [this, found](const JobEnd& end) { this->end(*found, end); });
     poll_.start();
@@ -219,7 +223,7 @@ void StudyController::run(bool make) {
     refresh();
 }
 
-void StudyController::run_on_slurm(bool make) {
+void StudyController::run_on_slurm(bool make, const StudyPlace& place) {
     struct Handed {
         StudyLookPtr look;
         std::optional<SlurmStep> step;
@@ -228,7 +232,7 @@ void StudyController::run_on_slurm(bool make) {
     running_ = true;
     job_.start(
         tr("Handing the study over"),
-        [handed, make, source = source_, workers = dialog_->form()->workers()](const Progress& p) {
+        [handed, make, source = source_, workers = place.workers](const Progress& p) {
             const auto folder = open_study_folder(source.file, source.folder, make);
             handed->step = hand_over(*folder, workers, p.part(0, 0.8));
             handed->look = look_into(folder, p.part(0.8, 1));

@@ -60,8 +60,8 @@ private:
     void new_study();
     void ask_for_study();
     bool write_file();
-    void run(bool make);
-    void run_on_slurm(bool make);
+    void run(bool make, const StudyPlace& place);
+    void run_on_slurm(bool make, const StudyPlace& place);
     void end(StudyLookPtr look, const JobEnd& end);
     void watch_slurm();
     void take_news();

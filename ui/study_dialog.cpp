@@ -4,6 +4,7 @@
 #include "ui/flow_layout.h"
 #include "ui/study_chart.h"
 #include "ui/study_form.h"
+#include "ui/study_place.h"
 #include "ui/study_sight.h"
 #include "ui/study_table.h"
 #include "ui/study_words.h"
@@ -32,15 +33,7 @@ StudyDialog::StudyDialog(QWidget* parent) : QDialog(parent, Qt::Window) {
     // Made in the order in which Tab goes on.
     pages_ = new QTabWidget(this);
     pages_->setObjectName(QStringLiteral("study_pages"));
-    form_ = new StudyForm(this);
-    asked_ = new QTextBrowser(this);
-    asked_->setObjectName(QStringLiteral("study_asked"));
-    asked_->setAccessibleName(tr("What the study asks"));
-    asked_->setFrameShape(QFrame::NoFrame);
-    question_ = new QStackedWidget(this);
-    question_->addWidget(form_);
-    question_->addWidget(asked_);
-    pages_->addTab(question_, tr("Question"));
+    pages_->addTab(build_question(), tr("Question"));
     pages_->addTab(build_candidates(), tr("Candidates"));
     status_ = new QLabel(this);
     status_->setObjectName(QStringLiteral("study_status"));
@@ -69,6 +62,26 @@ StudyDialog::StudyDialog(QWidget* parent) : QDialog(parent, Qt::Window) {
 }
 
 StudyDialog::~StudyDialog() = default;
+
+/// A new study's form or the words of one that is there, and where either is worked on.
+QWidget* StudyDialog::build_question() {
+    auto* page = new QWidget(this);
+    form_ = new StudyForm(this);
+    asked_ = new QTextBrowser(this);
+    asked_->setObjectName(QStringLiteral("study_asked"));
+    asked_->setAccessibleName(tr("What the study asks"));
+    asked_->setFrameShape(QFrame::NoFrame);
+    question_ = new QStackedWidget(page);
+    question_->addWidget(form_);
+    question_->addWidget(asked_);
+    place_ = new StudyPlaceForm(page);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(question_, 1);
+    column->addWidget(place_);
+    return page;
+}
 
 QWidget* StudyDialog::build_pictures() {
     pictures_ = new QTabWidget(this);

@@ -24,6 +24,7 @@ class StudyChart;
 class StudyForm;
 class StudyFrontChart;
 class StudyParallelChart;
+class StudyPlaceForm;
 class StudySight;
 class StudyStageChart;
 class StudyTable;
@@ -35,6 +36,7 @@ public:
     ~StudyDialog() override;
 
     StudyForm* form() { return form_; }
+    StudyPlaceForm* place() { return place_; }
     StudyTable* table() { return table_; }
     StudySight* sight() { return sight_; }
     StudyFrontChart* front() { return front_; }
@@ -79,6 +81,7 @@ signals:
     void candidate_chosen();
 
 private:
+    QWidget* build_question();
     QWidget* build_candidates();
     QWidget* build_pictures();
     void build_buttons();
@@ -91,6 +94,7 @@ private:
     QStackedWidget* question_ = nullptr;
     QTextBrowser* asked_ = nullptr;
     StudyForm* form_ = nullptr;
+    StudyPlaceForm* place_ = nullptr;
     StudyFrontChart* front_ = nullptr;
     StudyStageChart* stages_ = nullptr;
     StudyParallelChart* parallel_ = nullptr;

@@ -2,6 +2,8 @@
 
 #include "core/base/parameter_json.h"
 #include "core/job/asked_operations.h"
+#include "core/setup/machine.h"
+#include "core/setup/stock.h"
 #include "core/study/study.h"
 #include "core/tools/library_file.h"
 #include "ui/own_folders.h"
@@ -23,13 +25,19 @@ constexpr double max_combinations = 1e15;
 constexpr std::size_t max_ordered = 5; ///< operations that are put into every order
 
 /// What the form offers of an operation beside tool and kind, where it has it.
-constexpr const char* varied_keys[] = {"tolerance", "stepover", "depth",
-                                       "direction", "pattern",  "lead_limit"};
+constexpr const char* varied_keys[] = {"tolerance", "chord_tolerance", "stepover",   "depth",
+                                       "direction", "pattern",         "lead_limit", "lead_limits"};
 
-QStringList typed_pieces(const QString& typed) {
-    static const QRegularExpression between(QStringLiteral("[;\\s]+"));
+/// How many numbers a value of the parameter has.
+std::size_t numbers_of(const ParameterInfo& info) {
+    if (info.kind == ParameterKind::triple) return 3;
+    return info.kind == ParameterKind::pair ? 2 : 1;
+}
+
+QStringList typed_pieces(const QString& typed, const QRegularExpression& between) {
     QStringList pieces;
     for (QString piece : typed.split(between, Qt::SkipEmptyParts)) {
+        piece = piece.trimmed();
         while (piece.endsWith(QChar(',')))
             piece.chop(1);
         if (!piece.isEmpty()) pieces << piece;
@@ -37,15 +45,30 @@ QStringList typed_pieces(const QString& typed) {
     return pieces;
 }
 
+/// A value of several numbers as the parameter reads it; one number stands for all three of a triple.
+std::string typed_numbers(const QString& piece, std::size_t numbers, const std::string& where) {
+    static const QRegularExpression blanks(QStringLiteral("\\s+"));
+    QStringList typed = typed_pieces(piece, blanks);
+    if (numbers == 3 && typed.size() == 1) typed << typed[0] << typed[0];
+    std::string text;
+    for (const QString& one : typed)
+        text += (text.empty() ? "" : ", ") + utf8(with_decimal_point(one, where));
+    return text;
+}
+
 /// The values that are typed, as files have them. Throws Error(wrong_type, out_of_range).
 std::vector<Json> typed_values(const DraftVariation& v, LengthUnit unit) {
+    static const QRegularExpression one_by_one(QStringLiteral("[;\\s]+")), semicolons(QStringLiteral(";"));
     std::vector<Json> values;
     const std::string where = utf8(v.what);
-    for (const QString& piece : typed_pieces(v.typed)) {
+    const std::size_t numbers = numbers_of(*v.info);
+    for (const QString& piece : typed_pieces(v.typed, numbers > 1 ? semicolons : one_by_one)) {
         const QString word = word_of(*v.info, piece);
         const bool is_word =
             std::find(v.info->words.begin(), v.info->words.end(), utf8(word)) != v.info->words.end();
-        const std::string typed = is_word ? utf8(word) : utf8(with_decimal_point(piece, where));
+        const std::string typed = is_word       ? utf8(word)
+                                  : numbers > 1 ? typed_numbers(piece, numbers, where)
+                                                : utf8(with_decimal_point(piece, where));
         const ParameterValue value = v.info->parse(typed, unit);
         v.info->check(value, unit);
         Json json = write_value(value, *v.info, where, unit);
@@ -107,6 +130,12 @@ std::vector<DraftVariation::Choice> kind_choices(const Operation& operation) {
     return choices;
 }
 
+/// A value as it is typed: several numbers with blanks between them.
+QString typed_value(const ParameterInfo& info, const ParameterValue& value, LengthUnit unit) {
+    const std::string written = info.value_text(value, unit);
+    return in_user_numbers(text(written).replace(QStringLiteral(", "), QStringLiteral(" ")));
+}
+
 void add_operation(StudyDraft& draft, const Project& project, const Operation& operation,
                    const std::string& path, const QString& named,
                    const std::vector<DraftVariation::Choice>& tools) {
@@ -140,11 +169,33 @@ void add_operation(StudyDraft& draft, const Project& project, const Operation& o
                 v.choices.push_back({shown_word(info, word), word, {}, word == std::get<std::string>(value)});
         } else {
             const auto* word = std::get_if<std::string>(&value);
-            v.typed = word && !word->empty() ? shown_word(info, *word)
-                                             : in_user_numbers(text(info.value_text(value, project.unit)));
+            v.typed =
+                word && !word->empty() ? shown_word(info, *word) : typed_value(info, value, project.unit);
         }
         draft.vary.push_back(std::move(v));
     }
+}
+
+/// Machines of the program and the project's own, and how much larger than the part the stock is.
+void add_machine_and_stock(StudyDraft& draft, const Project& project, const std::string& above,
+                           const QString& named) {
+    using Kind = DraftVariation::Kind;
+    DraftVariation machine{
+        .kind = Kind::choices, .operation = named, .what = QObject::tr("Machine"), .path = above + "machine"};
+    if (is_machine_file(project.machine))
+        machine.choices.push_back({text(project.machine), project.machine, {}, true});
+    for (const Machine& one : machines())
+        machine.choices.push_back({text(one.name), one.name, {}, one.name == project.machine});
+    draft.vary.push_back(std::move(machine));
+    const std::vector<std::string>& keys = stock_keys(project.stock.kind);
+    if (std::find(keys.begin(), keys.end(), "margin") == keys.end()) return;
+    const ParameterInfo& info = stock_parameters().find("margin")->info;
+    draft.vary.push_back({.kind = Kind::numbers,
+                          .operation = named,
+                          .what = QObject::tr("Stock: %1").arg(worded(info.label)),
+                          .path = above + "stock.margin",
+                          .info = &info,
+                          .typed = typed_value(info, project.stock.margin, project.unit)});
 }
 
 /// A limit as files have it, and what is typed for it: a number in the window's unit of it, or "×1.1".
@@ -279,6 +330,9 @@ StudyDraft draft_for(const Project& project) {
                 setups > 1 ? QObject::tr("%1: %2").arg(text(view.name), text(name)) : text(name);
             add_operation(draft, view, operation, above + "operations" + bracketed(name, i), named, tools);
         }
+        add_machine_and_stock(draft, view, above,
+                              setups > 1 ? QObject::tr("%1: machine and stock").arg(text(view.name))
+                                         : QObject::tr("Machine and stock"));
     }
     if (setups == 1 && project.operations.size() > 1 && project.operations.size() <= max_ordered) {
         DraftVariation orders{.kind = DraftVariation::Kind::orders,

@@ -28,13 +28,14 @@ struct DraftVariation {
         bool on = false;
     };
     Kind kind = Kind::choices;
-    QString operation; ///< its name, with its setup where there are several; empty: of all
+    QString operation; ///< its name, with its setup where there are several, or what else it is of; or empty
     QString what;      ///< "Tool"
     std::string path;
     std::vector<Choice> choices;
     const ParameterInfo* info = nullptr; ///< numbers: what is typed is read by it
-    QString typed;                       ///< numbers: values with semicolons between them
-    bool on = false;                     ///< orders
+    /// numbers: values with semicolons between them; those of several numbers have blanks between these
+    QString typed;
+    bool on = false; ///< orders
 
     /// How many values it has; 0 where what is typed is none. `wrong` says why.
     std::size_t count(LengthUnit unit, QString* wrong = nullptr) const;
@@ -65,7 +66,8 @@ struct StudyDraft {
 };
 
 /// What may vary of a project: for each operation tools, of the project and of the user's libraries, kinds
-/// that do the same, direction, tolerance, step-over and the like. Only what is in the project is chosen.
+/// that do the same, direction, tolerance, step-over and the like; of each setup machine and stock. Only what
+/// is in the project is chosen.
 StudyDraft draft_for(const Project& project);
 
 } // namespace facetmill::ui

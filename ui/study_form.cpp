@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <thread>
 
 namespace facetmill::ui {
 
@@ -25,11 +24,6 @@ namespace {
 
 /// Data of a line of the tree: the variation, and the choice; of measures: the measure.
 constexpr int variation_role = Qt::UserRole, choice_role = Qt::UserRole + 1;
-constexpr int max_form_workers = 256;
-
-int usual_workers() {
-    return int(std::max(1u, std::thread::hardware_concurrency()));
-}
 
 QString chosen_words(const DraftVariation& v) {
     QStringList on;
@@ -119,35 +113,11 @@ QWidget* StudyForm::build_options() {
         draft_.samples = std::size_t(n);
         if (!filling_) emit changed();
     });
-    place_ = new QComboBox(options);
-    place_->setObjectName(QStringLiteral("study_place"));
-    place_->addItem(tr("this computer"));
-    place_->addItem(tr("a Slurm cluster"));
-    place_->setToolTip(
-        tr("Where candidates are planned and verified; a cluster sees the folder under the same "
-           "name"));
-    connect(place_, &QComboBox::activated, this, &StudyForm::changed);
-    workers_ = new QSpinBox(options);
-    workers_->setObjectName(QStringLiteral("study_workers"));
-    workers_->setRange(1, max_form_workers);
-    workers_->setValue(usual_workers());
-    workers_->setToolTip(tr("Candidates that are worked on at once; what comes out does not depend on it"));
-    connect(workers_, &QSpinBox::valueChanged, this, &StudyForm::changed);
     form->addRow(tr("The winner has the least"), first_);
     form->addRow(tr("Candidates"), samples_);
-    form->addRow(tr("Work on"), place_);
-    form->addRow(tr("At once"), workers_);
-    for (QWidget* field : std::initializer_list<QWidget*>{first_, samples_, place_, workers_})
+    for (QWidget* field : std::initializer_list<QWidget*>{first_, samples_})
         field->setAccessibleName(static_cast<QLabel*>(form->labelForField(field))->text());
     return options;
-}
-
-bool StudyForm::on_slurm() const {
-    return place_->currentIndex() == 1;
-}
-
-std::size_t StudyForm::workers() const {
-    return std::size_t(workers_->value());
 }
 
 void StudyForm::set_draft(StudyDraft draft) {
@@ -175,7 +145,7 @@ void StudyForm::order_tabs() {
     next(measures_);
     for (QLineEdit* field : limit_fields_)
         next(field);
-    for (QWidget* field : std::initializer_list<QWidget*>{first_, samples_, place_, workers_})
+    for (QWidget* field : std::initializer_list<QWidget*>{first_, samples_})
         next(field);
 }
 
@@ -234,10 +204,17 @@ void StudyForm::add_field(QTreeWidgetItem* row, std::size_t variation) {
     QStringList known;
     for (const std::string& word : v.info->words)
         known << shown_word(*v.info, word);
+    const QString range = in_user_numbers(text(v.info->range_text(draft_.unit)));
     const QString words =
-        known.isEmpty()
-            ? tr("Numbers with a semicolon between them, %1")
-                  .arg(in_user_numbers(text(v.info->range_text(draft_.unit))))
+        v.info->kind == ParameterKind::triple ? tr("A number for all sides or three with blanks between them "
+                                                   "(x, y, z), %1; a semicolon between "
+                                                   "one value and the next")
+                                                    .arg(range)
+        : v.info->kind == ParameterKind::pair
+            ? tr("Two numbers with a blank between them, %1; a semicolon between one pair and the next")
+                  .arg(range)
+        : known.isEmpty()
+            ? tr("Numbers with a semicolon between them, %1").arg(range)
             : tr("Numbers or %1, with a semicolon between them").arg(known.join(QStringLiteral(", ")));
     field->setToolTip(words);
     vary_->setItemWidget(row, 1, field);

@@ -1,5 +1,4 @@
-// What a new study asks: what may vary, what is wanted, limits, how many candidates, and where they are
-// worked on.
+// What a new study asks: what may vary, what is wanted, limits, and how many candidates.
 #pragma once
 
 #include "ui/study_draft.h"
@@ -26,8 +25,6 @@ public:
     const StudyDraft& draft() const { return draft_; }
     /// What the study will take, below the rest.
     void show_estimate(const QString& words, bool alarm);
-    bool on_slurm() const;
-    std::size_t workers() const;
 
     QTreeWidget* vary() { return vary_; }
     QTreeWidget* measures() { return measures_; }
@@ -50,8 +47,8 @@ private:
     StudyDraft draft_;
     std::vector<QLineEdit*> vary_fields_, limit_fields_;
     QTreeWidget *vary_ = nullptr, *measures_ = nullptr;
-    QComboBox *first_ = nullptr, *place_ = nullptr;
-    QSpinBox *samples_ = nullptr, *workers_ = nullptr;
+    QComboBox* first_ = nullptr;
+    QSpinBox* samples_ = nullptr;
     QLabel* estimate_ = nullptr;
     bool filling_ = false;
 };

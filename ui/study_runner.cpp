@@ -2,6 +2,7 @@
 
 #include "core/base/child_process.h"
 #include "core/base/file.h"
+#include "core/study/ssh_workers.h"
 #include "facetmill_version.h"
 
 #include <algorithm>
@@ -155,15 +156,16 @@ StudyLookPtr look_into(std::shared_ptr<const StudyFolder> folder, const Progress
     return look;
 }
 
-StudyLookPtr carry_out(std::shared_ptr<const StudyFolder> folder, std::size_t workers, StudyNews& news,
+StudyLookPtr carry_out(std::shared_ptr<const StudyFolder> folder, const StudyPlace& place, StudyNews& news,
                        const Progress& progress) {
     const StudyLookPtr known = look_into(folder, progress.part(0, 0.02));
     StudyTeller teller(*known, news);
     const std::size_t cores = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-    StudyWorkers own =
-        own_workers(*folder, study_program_file(), workers, std::max<std::size_t>(1, cores / workers));
-    own.ended = [&](const StudyWork& work) { teller.ended(work); };
-    const StudyEngine engine = work_by_processes(own);
+    StudyWorkers workers = own_workers(*folder, study_program_file(), place.workers,
+                                       std::max<std::size_t>(1, cores / place.workers));
+    if (place.where == StudyPlace::Where::ssh) workers = workers_by_ssh(workers, place.host, {});
+    workers.ended = [&](const StudyWork& work) { teller.ended(work); };
+    const StudyEngine engine = work_by_processes(workers);
     auto look = std::make_shared<StudyLook>();
     look->outcome = run_study(
         *folder,

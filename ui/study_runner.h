@@ -21,6 +21,14 @@ std::filesystem::path study_program_file();
 /// What folders call it (program_identity), the same as it does itself. Throws likewise.
 std::string study_program();
 
+/// Where candidates are worked on.
+struct StudyPlace {
+    enum class Where { here, slurm, ssh };
+    Where where = Where::here;
+    std::string host;        ///< ssh: as that knows it
+    std::size_t workers = 1; ///< at once
+};
+
 /// How far a run is.
 struct StudyStand {
     std::array<std::size_t, all_rungs.size()> done{}, expected{}; ///< looks, by rung
@@ -53,9 +61,9 @@ std::shared_ptr<const StudyFolder> open_study_folder(const std::filesystem::path
 
 /// What the folder knows. Throws what look_at_study does.
 StudyLookPtr look_into(std::shared_ptr<const StudyFolder> folder, const Progress& progress);
-/// Works on the study to its end with `workers` processes, and writes what it came to. Throws what run_study
-/// and write_study do.
-StudyLookPtr carry_out(std::shared_ptr<const StudyFolder> folder, std::size_t workers, StudyNews& news,
+/// Works on the study to its end with processes here or on a host, and writes what it came to. Throws what
+/// run_study, write_study and workers_by_ssh do.
+StudyLookPtr carry_out(std::shared_ptr<const StudyFolder> folder, const StudyPlace& place, StudyNews& news,
                        const Progress& progress);
 /// Hands what is missing to Slurm; nothing is handed over where nothing is missing. Throws what
 /// go_on_with_slurm does.

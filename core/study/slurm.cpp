@@ -20,7 +20,7 @@ namespace {
 /// What Slurm allows unless it is told otherwise (MaxArraySize) is one more.
 constexpr std::size_t max_array = 1000;
 constexpr std::size_t max_steps_asked = 3;
-constexpr int read_wait = 100; // ms
+constexpr int read_wait = 20; // ms
 
 fs::path slurm_folder(const StudyFolder& folder) {
     return fs::absolute(folder.path()) / "slurm";
@@ -44,24 +44,34 @@ void write_slurm_file(const fs::path& path, const std::string& text) {
     out.commit();
 }
 
-/// What sbatch prints with --parsable: "123" or "123;cluster".
-std::string job_number(const std::vector<std::string>& words) {
+/// The lines of what a program said, for a message.
+std::string in_one_line(const std::string& said) {
+    constexpr std::size_t longest = 400;
+    std::istringstream lines(said);
+    std::string all;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) all += (all.empty() ? "" : "; ") + line;
+    return printable(all, longest);
+}
+
+/// What sbatch prints with --parsable: "123" or "123;cluster". It asks long where nothing answers it.
+std::string job_number(const std::vector<std::string>& words, const Progress& progress) {
     const fs::path sbatch = program_on_path("sbatch");
     if (sbatch.empty())
         throw Error(ErrorCode::not_found, "sbatch", "Slurm is not here",
-                    "install its commands (Debian: slurm-client), or give --on local");
+                    "install its commands (Debian: slurm-client), or let this machine do the work");
     std::string command = "exec " + shell_word(sbatch.string());
     for (const std::string& word : words)
         command += " " + shell_word(word);
     MemoryFile nothing("facetmill-study");
     ChildProcess process("/bin/sh", {"-c", command + " 2>&1"}, nothing, nothing);
     std::string said;
-    while (process.read(said, read_wait)) {
-    }
+    while (process.read(said, read_wait))
+        progress.check();
     const int status = process.wait();
     std::string number = said.substr(0, said.find_first_of(";\n"));
     if (status != 0 || number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
-        throw Error(ErrorCode::internal, "sbatch", "it does not take the job: " + printable(said, 400),
+        throw Error(ErrorCode::internal, "sbatch", "it does not take the job: " + in_one_line(said),
                     "see whether Slurm runs: sinfo");
     return number;
 }
@@ -110,7 +120,7 @@ std::map<std::string, std::string> lost_by_slurm(const StudyFolder& folder) {
 }
 
 SlurmStep hand_to_slurm(const StudyFolder& folder, const std::vector<StudyWork>& work,
-                        const SlurmSettings& settings) {
+                        const SlurmSettings& settings, const Progress& progress) {
     const fs::path in = slurm_folder(folder);
     fs::create_directories(in);
     SlurmStep step;
@@ -142,13 +152,15 @@ SlurmStep hand_to_slurm(const StudyFolder& folder, const std::vector<StudyWork>&
         const std::string at_once = settings.workers > 0 ? "%" + std::to_string(settings.workers) : "";
         step.array = job_number({"--parsable", "--job-name=facetmill-study", "--requeue",
                                  "--array=1-" + std::to_string(jobs) + at_once, "--cpus-per-task=" + threads,
-                                 "--output=" + logs + "-%a.log", "--open-mode=append", array.string()});
+                                 "--output=" + logs + "-%a.log", "--open-mode=append", array.string()},
+                                progress);
         step.gather = job_number({"--parsable", "--job-name=facetmill-gather", "--requeue",
                                   "--kill-on-invalid-dep=no", "--dependency=afterany:" + step.array,
-                                  "--output=" + logs + "-gather.log", "--open-mode=append", gather.string()});
+                                  "--output=" + logs + "-gather.log", "--open-mode=append", gather.string()},
+                                 progress);
     } catch (...) {
         std::error_code ec;
-        fs::remove(list, ec); // it was not asked for
+        fs::remove(list, ec); // it was not asked for: a job that began meanwhile finds nothing to do
         throw;
     }
     return step;
@@ -159,7 +171,7 @@ SlurmRun go_on_with_slurm(const StudyFolder& folder, const SlurmSettings& settin
     const detail::FileLock lock = lock_study(folder);
     SlurmRun run{look_at_study(folder, lost_by_slurm(folder), progress), std::nullopt};
     if (!run.outcome.decision.missing.empty())
-        run.step = hand_to_slurm(folder, missing_work(folder, run.outcome), settings);
+        run.step = hand_to_slurm(folder, missing_work(folder, run.outcome), settings, progress);
     return run;
 }
 

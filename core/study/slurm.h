@@ -36,7 +36,7 @@ std::map<std::string, std::string> lost_by_slurm(const StudyFolder& folder);
 /// them over. A worker is given several looks where there are more than a job array may have. Throws
 /// Error(not_found) where there is no sbatch, Error(internal) with what it said where it refuses.
 SlurmStep hand_to_slurm(const StudyFolder& folder, const std::vector<StudyWork>& work,
-                        const SlurmSettings& settings);
+                        const SlurmSettings& settings, const Progress& progress);
 
 struct SlurmRun {
     StudyOutcome outcome;

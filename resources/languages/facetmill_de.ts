@@ -88,6 +88,10 @@
         <translation>'{1}' ist kein Format einer Werkzeugbibliothek</translation>
     </message>
     <message>
+        <source>'{1}' is no host</source>
+        <translation>„{1}“ ist kein Rechner</translation>
+    </message>
+    <message>
         <source>'{1}' is no letter and number</source>
         <translation>'{1}' ist nicht Buchstabe und Zahl</translation>
     </message>
@@ -5088,6 +5092,10 @@
         <translation>size, facets, area oder keep angeben</translation>
     </message>
     <message>
+        <source>give ssh:HOST, the host as ssh knows it</source>
+        <translation>ssh:RECHNER angeben, den Rechner, wie ssh ihn kennt</translation>
+    </message>
+    <message>
         <source>give the boundary a name</source>
         <translation>der Begrenzung einen Namen geben</translation>
     </message>
@@ -5416,8 +5424,16 @@
         <translation>ganz Facetmill installieren oder mit OpenCASCADE bauen; oder das Teil als STL exportieren</translation>
     </message>
     <message>
-        <source>install its commands (Debian: slurm-client), or give --on local</source>
-        <translation>seine Befehle installieren (Debian: slurm-client) oder --on local angeben</translation>
+        <source>install it (Debian: openssh-client), or let this machine do the work</source>
+        <translation>es installieren (Debian: openssh-client) oder diesen Rechner arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>install its commands (Debian: slurm-client), or let this machine do the work</source>
+        <translation>seine Befehle installieren (Debian: slurm-client) oder diesen Rechner arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>install the same one there, or name it: --remote-program</source>
+        <translation>dort dasselbe installieren oder es nennen: --remote-program</translation>
     </message>
     <message>
         <source>inward</source>
@@ -7180,6 +7196,10 @@
         <translation>siehe die Wörter ihres Postprozessors</translation>
     </message>
     <message>
+        <source>see what ssh says to it</source>
+        <translation>nachsehen, was ssh dazu sagt</translation>
+    </message>
+    <message>
         <source>see whether Slurm runs: sinfo</source>
         <translation>nachsehen, ob Slurm läuft: sinfo</translation>
     </message>
@@ -7874,6 +7894,10 @@
     <message>
         <source>the holder would hit the part: use a longer tool or a smaller holder</source>
         <translation>der Halter träfe das Teil: ein längeres Werkzeug oder einen kleineren Halter nehmen</translation>
+    </message>
+    <message>
+        <source>the host cannot be reached without a password</source>
+        <translation>der Rechner ist ohne Passwort nicht zu erreichen</translation>
     </message>
     <message>
         <source>the job writes it twice</source>
@@ -8918,6 +8942,10 @@
     <message>
         <source>there is no program</source>
         <translation>es gibt kein Programm</translation>
+    </message>
+    <message>
+        <source>there is no program {1}</source>
+        <translation>es gibt kein Programm {1}</translation>
     </message>
     <message>
         <source>there is no result</source>
@@ -10527,6 +10555,10 @@
         <translation>%1 Dort geht es weiter: scancel beendet es.</translation>
     </message>
     <message>
+        <source>%1 Its peak load is %2 times the project's: nothing here knows whether machine and tool stand that.</source>
+        <translation>%1 Seine Lastspitze ist %2-mal so hoch wie die des Projekts: Ob Maschine und Werkzeug das aushalten, weiß hier nichts.</translation>
+    </message>
+    <message>
         <source>%1 Looks that are missing: %2.</source>
         <translation>%1 Noch fehlende Blicke: %2.</translation>
     </message>
@@ -10729,6 +10761,10 @@
     <message>
         <source>%1: a region that operations cut within or keep off</source>
         <translation>%1: ein Bereich, in dem Operationen fräsen oder den sie meiden</translation>
+    </message>
+    <message>
+        <source>%1: machine and stock</source>
+        <translation>%1: Maschine und Rohteil</translation>
     </message>
     <message>
         <source>%1: no tool comes nearer than %2</source>
@@ -11129,6 +11165,10 @@
     <message>
         <source>A new study of this project</source>
         <translation>Eine neue Studie dieses Projekts</translation>
+    </message>
+    <message>
+        <source>A number for all sides or three with blanks between them (x, y, z), %1; a semicolon between one value and the next</source>
+        <translation>Eine Zahl für alle Seiten oder drei mit Leerzeichen dazwischen (x, y, z), %1; ein Semikolon zwischen einem Wert und dem nächsten</translation>
     </message>
     <message>
         <source>A parameter is not valid: correct it before programs are written.</source>
@@ -12643,6 +12683,10 @@ bei</translation>
         <translation>Mulde</translation>
     </message>
     <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
         <source>How far its boundary lies outside the offset; double click to enter it</source>
         <translation>Wie weit die Begrenzung außerhalb des Versatzes liegt; Doppelklick zum Eingeben</translation>
     </message>
@@ -12929,8 +12973,16 @@ auf, %1</translation>
         <translation>M</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
         <source>Machine and control</source>
         <translation>Maschine und Steuerung</translation>
+    </message>
+    <message>
+        <source>Machine and stock</source>
+        <translation>Maschine und Rohteil</translation>
     </message>
     <message>
         <source>Machining time</source>
@@ -13119,6 +13171,10 @@ auf, %1</translation>
     <message>
         <source>Name a mesh file</source>
         <translation>Eine Netzdatei angeben</translation>
+    </message>
+    <message>
+        <source>Name the host that is to work, as ssh knows it.</source>
+        <translation>Den Rechner nennen, der arbeiten soll, wie ssh ihn kennt.</translation>
     </message>
     <message>
         <source>Needles</source>
@@ -14696,6 +14752,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Netz hat %1. Es wird bearbeitet, wie es ist; im Scan-Raum lässt es sich instand setzen.</translation>
     </message>
     <message>
+        <source>The other computer as ssh knows it, such as mill2 or user@mill2; it lets you in by a key</source>
+        <translation>Der andere Rechner, wie ssh ihn kennt, etwa mill2 oder user@mill2; er lässt Sie mit einem Schlüssel ein</translation>
+    </message>
+    <message>
         <source>The page after (Alt+→)</source>
         <translation>Die nächste Seite (Alt+→)</translation>
     </message>
@@ -15218,6 +15278,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Zwei Maße gegeneinander; die Linie verbindet die besten</translation>
     </message>
     <message>
+        <source>Two numbers with a blank between them, %1; a semicolon between one pair and the next</source>
+        <translation>Zwei Zahlen mit einem Leerzeichen dazwischen, %1; ein Semikolon zwischen einem Paar und dem nächsten</translation>
+    </message>
+    <message>
         <source>Type</source>
         <translation>Art</translation>
     </message>
@@ -15486,8 +15550,8 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Geplantes wird nicht mit dem Projekt aufbewahrt: %1.</translation>
     </message>
     <message>
-        <source>Where candidates are planned and verified; a cluster sees the folder under the same name</source>
-        <translation>Wo Kandidaten geplant und geprüft werden; ein Cluster sieht den Ordner unter demselben Namen</translation>
+        <source>Where candidates are planned and verified; a cluster and other computers see the folder under the same name, and have the same program in the same place</source>
+        <translation>Wo Kandidaten geplant und geprüft werden; ein Cluster und andere Rechner sehen den Ordner unter demselben Namen und haben dasselbe Programm am selben Platz</translation>
     </message>
     <message>
         <source>While a boundary is painted</source>
@@ -15632,6 +15696,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>along Z</source>
         <translation>entlang Z</translation>
+    </message>
+    <message>
+        <source>another computer, by SSH</source>
+        <translation>einem anderen Rechner, über SSH</translation>
     </message>
     <message>
         <source>any</source>

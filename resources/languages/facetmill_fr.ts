@@ -88,6 +88,10 @@
         <translation>'{1}' n'est pas un format de bibliothèque d'outils</translation>
     </message>
     <message>
+        <source>'{1}' is no host</source>
+        <translation>« {1} » n’est pas un hôte</translation>
+    </message>
+    <message>
         <source>'{1}' is no letter and number</source>
         <translation>'{1}' n'est pas une lettre et un nombre</translation>
     </message>
@@ -5088,6 +5092,10 @@
         <translation>donner size, facets, area ou keep</translation>
     </message>
     <message>
+        <source>give ssh:HOST, the host as ssh knows it</source>
+        <translation>donner ssh:HÔTE, l’hôte tel que ssh le connaît</translation>
+    </message>
+    <message>
         <source>give the boundary a name</source>
         <translation>donner un nom à la limite</translation>
     </message>
@@ -5416,8 +5424,16 @@
         <translation>installer tout Facetmill, ou le construire avec OpenCASCADE ; ou exporter la pièce en STL</translation>
     </message>
     <message>
-        <source>install its commands (Debian: slurm-client), or give --on local</source>
-        <translation>installer ses commandes (Debian : slurm-client), ou donner --on local</translation>
+        <source>install it (Debian: openssh-client), or let this machine do the work</source>
+        <translation>l’installer (Debian : openssh-client), ou laisser cet ordinateur faire le travail</translation>
+    </message>
+    <message>
+        <source>install its commands (Debian: slurm-client), or let this machine do the work</source>
+        <translation>installer ses commandes (Debian : slurm-client), ou laisser cet ordinateur faire le travail</translation>
+    </message>
+    <message>
+        <source>install the same one there, or name it: --remote-program</source>
+        <translation>y installer le même, ou le nommer : --remote-program</translation>
     </message>
     <message>
         <source>inward</source>
@@ -7180,6 +7196,10 @@
         <translation>voir les mots de son post-processeur</translation>
     </message>
     <message>
+        <source>see what ssh says to it</source>
+        <translation>voir ce qu’en dit ssh</translation>
+    </message>
+    <message>
         <source>see whether Slurm runs: sinfo</source>
         <translation>voir si Slurm tourne : sinfo</translation>
     </message>
@@ -7874,6 +7894,10 @@
     <message>
         <source>the holder would hit the part: use a longer tool or a smaller holder</source>
         <translation>le porte-outil heurterait la pièce : prendre un outil plus long ou un porte-outil plus petit</translation>
+    </message>
+    <message>
+        <source>the host cannot be reached without a password</source>
+        <translation>l’hôte ne peut être atteint sans mot de passe</translation>
     </message>
     <message>
         <source>the job writes it twice</source>
@@ -8918,6 +8942,10 @@
     <message>
         <source>there is no program</source>
         <translation>il n'y a pas de programme</translation>
+    </message>
+    <message>
+        <source>there is no program {1}</source>
+        <translation>il n’y a pas de programme {1}</translation>
     </message>
     <message>
         <source>there is no result</source>
@@ -10527,6 +10555,10 @@
         <translation>%1 Le travail y continue : scancel y met fin.</translation>
     </message>
     <message>
+        <source>%1 Its peak load is %2 times the project's: nothing here knows whether machine and tool stand that.</source>
+        <translation>%1 Sa pointe de charge est %2 fois celle du projet : rien ici ne sait si la machine et l’outil la supportent.</translation>
+    </message>
+    <message>
         <source>%1 Looks that are missing: %2.</source>
         <translation>%1 Examens qui manquent : %2.</translation>
     </message>
@@ -10729,6 +10761,10 @@
     <message>
         <source>%1: a region that operations cut within or keep off</source>
         <translation>%1 : une zone où les opérations usinent ou qu'elles évitent</translation>
+    </message>
+    <message>
+        <source>%1: machine and stock</source>
+        <translation>%1 : machine et brut</translation>
     </message>
     <message>
         <source>%1: no tool comes nearer than %2</source>
@@ -11129,6 +11165,10 @@
     <message>
         <source>A new study of this project</source>
         <translation>Une nouvelle étude de ce projet</translation>
+    </message>
+    <message>
+        <source>A number for all sides or three with blanks between them (x, y, z), %1; a semicolon between one value and the next</source>
+        <translation>Un nombre pour tous les côtés ou trois séparés par des espaces (x, y, z), %1 ; un point-virgule entre une valeur et la suivante</translation>
     </message>
     <message>
         <source>A parameter is not valid: correct it before programs are written.</source>
@@ -12641,6 +12681,10 @@
         <translation>Creux</translation>
     </message>
     <message>
+        <source>Host</source>
+        <translation>Hôte</translation>
+    </message>
+    <message>
         <source>How far its boundary lies outside the offset; double click to enter it</source>
         <translation>De combien la limite dépasse le décalage ; double-clic pour la saisir</translation>
     </message>
@@ -12927,8 +12971,16 @@
         <translation>M</translation>
     </message>
     <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
         <source>Machine and control</source>
         <translation>Machine et commande</translation>
+    </message>
+    <message>
+        <source>Machine and stock</source>
+        <translation>Machine et brut</translation>
     </message>
     <message>
         <source>Machining time</source>
@@ -13117,6 +13169,10 @@
     <message>
         <source>Name a mesh file</source>
         <translation>Indiquer un fichier de maillage</translation>
+    </message>
+    <message>
+        <source>Name the host that is to work, as ssh knows it.</source>
+        <translation>Nommer l’hôte qui doit travailler, tel que ssh le connaît.</translation>
     </message>
     <message>
         <source>Needles</source>
@@ -14694,6 +14750,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Le maillage a %1. Il est usiné tel quel ; l'atelier de scan permet de le réparer.</translation>
     </message>
     <message>
+        <source>The other computer as ssh knows it, such as mill2 or user@mill2; it lets you in by a key</source>
+        <translation>L’autre ordinateur tel que ssh le connaît, comme mill2 ou user@mill2 ; il vous laisse entrer par une clé</translation>
+    </message>
+    <message>
         <source>The page after (Alt+→)</source>
         <translation>La page suivante (Alt+→)</translation>
     </message>
@@ -15216,6 +15276,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Deux mesures l'une contre l'autre ; la ligne joint les meilleurs</translation>
     </message>
     <message>
+        <source>Two numbers with a blank between them, %1; a semicolon between one pair and the next</source>
+        <translation>Deux nombres séparés par une espace, %1 ; un point-virgule entre une paire et la suivante</translation>
+    </message>
+    <message>
         <source>Type</source>
         <translation>Type</translation>
     </message>
@@ -15484,8 +15548,8 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce qui était planifié n'est pas gardé avec le projet : %1.</translation>
     </message>
     <message>
-        <source>Where candidates are planned and verified; a cluster sees the folder under the same name</source>
-        <translation>Où les candidats sont planifiés et vérifiés ; une grappe voit le dossier sous le même nom</translation>
+        <source>Where candidates are planned and verified; a cluster and other computers see the folder under the same name, and have the same program in the same place</source>
+        <translation>Où les candidats sont planifiés et vérifiés ; une grappe et d’autres ordinateurs voient le dossier sous le même nom, et ont le même programme au même endroit</translation>
     </message>
     <message>
         <source>While a boundary is painted</source>
@@ -15630,6 +15694,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>along Z</source>
         <translation>selon Z</translation>
+    </message>
+    <message>
+        <source>another computer, by SSH</source>
+        <translation>un autre ordinateur, par SSH</translation>
     </message>
     <message>
         <source>any</source>

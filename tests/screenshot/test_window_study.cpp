@@ -69,7 +69,9 @@ private:
 class TestWindowStudy : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
-    void initTestCase() { qputenv("FACETMILL_CLI", FACETMILL_CLI_PROGRAM); }
+    void initTestCase() {
+        if (!qEnvironmentVariableIsSet("FACETMILL_CLI")) qputenv("FACETMILL_CLI", FACETMILL_CLI_PROGRAM);
+    }
     void init() {
         QVERIFY(show_window());
         QVERIFY(open_part());
