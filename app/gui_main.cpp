@@ -242,6 +242,7 @@ int main(int argc, char** argv) {
     ui::MainWindow window;
     if (!options.theme.isEmpty()) window.set_theme(ui::theme_from_name(options.theme));
     if (options.size.isValid()) window.resize(options.size);
+    window.viewport().make_shaders();
     window.show();
     // Pictures are of the window as it is used.
     if (options.screenshot.isEmpty() && ui::settings::take_first_start())

@@ -165,8 +165,7 @@ void SceneCanvas::frame_done() {
         if (frames_ > 1 && !fresh_) full_frame_ms_ = ms;
         break;
     }
-    if (rehearsed_ < Scene::rehearsals)
-        rehearsal_timer_.start(scene_.has(Layer::scale) ? rehearsal_ms : empty_rehearsal_ms);
+    if (!shaders_made()) rehearsal_timer_.start(scene_.has(Layer::scale) ? rehearsal_ms : empty_rehearsal_ms);
     update();
     if (drawn == Drawing::step || drawn == Drawing::full_picture || drawn == Drawing::painted)
         emit this->drawn();
@@ -208,10 +207,13 @@ void SceneCanvas::await_frame() {
 
 void SceneCanvas::rehearse() {
     // A shader takes some 50 ms: only while nothing else goes on. The next picture starts the timer again.
-    if (dirty_ || awaiting() || coarse_ || step_ || hand() != Hand::free || rehearsed_ >= Scene::rehearsals
-        || !ready())
+    if (dirty_ || awaiting() || coarse_ || step_ || hand() != Hand::free || shaders_made() || !ready())
         return;
-    if (!make_current()) return;
+    rehearse_next();
+}
+
+bool SceneCanvas::rehearse_next() {
+    if (!make_current()) return false;
     scene_.rehearse(rehearsed_++);
     drawing_ = Drawing::rehearsal;
     draw(1);
@@ -219,6 +221,13 @@ void SceneCanvas::rehearse() {
     scene_.set_moving(false);
     scene_.set_antialiasing(true);
     done_current();
+    return true;
+}
+
+void SceneCanvas::make_shaders() {
+    (void)picture(); // its own shaders first, and what is still being drawn
+    while (!shaders_made() && rehearse_next())
+        (void)picture(); // waits for it; nothing of it is to be seen
 }
 
 void SceneCanvas::rested() {

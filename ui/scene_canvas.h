@@ -38,6 +38,11 @@ public:
     bool finished() const;
     /// A full picture, drawn now however long it takes.
     QImage full_picture();
+    /// Draws once in every way that pictures are drawn in, which makes the shaders, before the window is
+    /// shown: without a graphics card one takes up to 100 ms, in which a window would not answer. OpenGL
+    /// keeps them on disk; from the second start on all of them together take a tenth of that.
+    void make_shaders();
+    bool shaders_made() const { return rehearsed_ == Scene::rehearsals; }
 
     /// A processor does the work of a graphics card; also while nothing was drawn yet.
     bool without_card() const { return without_card_; }
@@ -69,6 +74,7 @@ private:
     bool slow() const;
     void draw(int coarseness);
     void rehearse();
+    bool rehearse_next(); ///< false where there is no OpenGL
     void rested();
     void draw_step();
     void draw_painted();

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
              path.toStdString(), LengthUnit::mm, {});
     ui::MainWindow window;
     window.resize(1280, 800);
+    window.viewport().make_shaders();
     window.show();
     run_for(1500); // also for the shaders of a first picture
     Heart heart;

@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
 
     ui::MainWindow window;
     window.resize(1280, 800);
+    window.viewport().make_shaders();
     window.show();
     run_for(1000); // also for the shaders of a first picture
     window.open_file(path, LengthUnit::mm);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     const BenchApplication app(argc, argv);
     ui::MainWindow window;
     window.resize(1280, 800);
+    window.viewport().make_shaders();
     window.show();
     run_for(1000); // also for the shaders of a first picture
     window.new_from_sample(argc > 1 ? argv[1] : "concave");

@@ -334,6 +334,19 @@ private slots:
         QVERIFY(w().viewport().frames() > frames && w().viewport().frames() <= frames + 2);
     }
 
+    void shaders_are_made_before_a_window_is_shown() {
+        const QImage usual = view_picture(w());
+        close_window();
+        window_ = std::make_unique<MainWindow>();
+        w().resize(1280, 800);
+        QVERIFY(!w().viewport().shaders_made());
+        w().viewport().make_shaders();
+        QVERIFY(w().viewport().shaders_made());
+        w().show();
+        QVERIFY(activate(w()));
+        QCOMPARE(changed_pixels(view_picture(w()), usual, 0), 0); // they leave no trace
+    }
+
     void a_large_part_turns_coarsely_and_rests_in_full() {
         constexpr Index n = 201; // a side: more facets than a part without a preview has
         Mesh sheet;
