@@ -1,6 +1,7 @@
 #include "core/job/program_files.h"
 
 #include "core/base/file.h"
+#include "core/base/latin.h"
 #include "core/job/new_folder.h"
 #include "core/job/posting.h"
 #include "core/job/report.h"
@@ -50,7 +51,7 @@ ClProgram program_of(const Project& project, const std::shared_ptr<const Operati
 
 std::string program_stem(const std::string& text) {
     std::string name;
-    for (char ch : text) {
+    for (const char ch : without_marks(text)) {
         const auto c = static_cast<unsigned char>(ch);
         if ((c & 0xC0) == 0x80) continue; // one '-' per UTF-8 character
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')

@@ -5,6 +5,7 @@
 // y, at most half a digit, which costs half a digit times the slope. In a multi-axis program all three go to
 // the nearest digit, and the axis carries eight decimals (1e-8 rad; six would move a holder 100 mm up by 1e-4
 // mm).
+#include "core/base/latin.h"
 #include "core/base/tolerances.h"
 #include "core/output/apt.h"
 #include "core/output/program_writer.h"
@@ -25,7 +26,8 @@ constexpr std::size_t apt_motions_per_check = 4096;
 constexpr int coordinate_decimals = 6, axis_decimals = 8;
 
 /// Text for a comment, a name or a title: ASCII, no '$' (it would start a continuation), one line.
-std::string plain_text(std::string_view text, std::size_t limit) {
+std::string plain_text(std::string_view name, std::size_t limit) {
+    const std::string text = without_marks(name);
     std::string out;
     for (std::size_t i = 0; i < text.size() && out.size() < limit; ++i) {
         const auto c = static_cast<unsigned char>(text[i]);

@@ -1,5 +1,7 @@
 #include "core/output/post/nc_text.h"
 
+#include "core/base/latin.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +23,7 @@ constexpr std::array<double, 10> powers_of_ten = {1, 10, 1e2, 1e3, 1e4, 1e5, 1e6
 
 std::string nc_text(std::string_view name, std::size_t max_characters) {
     std::string text;
-    for (const char c : name) {
+    for (const char c : without_marks(name)) {
         const bool plain =
             upper_letter(c) || (c >= 'a' && c <= 'z') || decimal_digit(c) || c == '.' || c == '-' || c == '_';
         if (text.size() + (plain ? 0 : 1) >= max_characters) break;

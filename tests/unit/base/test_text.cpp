@@ -1,4 +1,5 @@
 // Texts that come in, and texts that go out.
+#include "core/base/latin.h"
 #include "core/base/parameter.h"
 #include "core/base/strict_json.h"
 #include "core/base/text.h"
@@ -63,6 +64,19 @@ private slots:
         QCOMPARE(code_of([&] { check_text("caf\xE9", "part.file"); }, &message), std::string("encoding"));
         QVERIFY(message.starts_with("part.file: the text is not UTF-8"));
         check_text(shown, "name");
+    }
+
+    void marks_of_letters_go() {
+        QCOMPARE(without_marks("\xC3\x89"
+                               "bauche, H\xC3\xB6he, Stra\xC3\x9F"
+                               "e, \xC5\x93uvre, \xC5\x81\xC3\xB3"
+                               "d\xC5\xBA"),
+                 std::string("Ebauche, Hoehe, Strasse, oeuvre, Lodz"));
+        QCOMPARE(without_marks("\xC5\xBF\xC4\x80\xC4\xB1\xC4\xB2\xC5\xBD"), std::string("sAiIJZ"));
+        // A sign of multiplication, a square, Hebrew, half a letter.
+        for (const std::string other :
+             {"Finish 2", "3 \xC3\x97 4", "CM\xC2\xB2", "\xD7\xA9", "a\xC3", "\xC3z"})
+            QCOMPARE(without_marks(other), other);
     }
 
     void json_escapes_it_and_keeps_it() {
