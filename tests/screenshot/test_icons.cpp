@@ -140,6 +140,12 @@ private slots:
         QVERIFY(lists_.files.size() > 40);
     }
 
+    void a_button_without_room_draws_nothing() {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("QPainter")));
+        for (const QSize size : {QSize(0, 16), QSize(16, 0), QSize(-2, 16)})
+            QVERIFY(icon(Icon::add).pixmap(size).isNull());
+    }
+
     void names_and_files_belong_together() {
         QVERIFY2(wrong_lists(lists_).isEmpty(), qPrintable(wrong_lists(lists_).join('\n')));
     }
