@@ -124,6 +124,16 @@ void Controllers::connect_messages(const Document& document, Messages& messages)
         });
         connect(controller, &Controller::settled, this, &Controllers::settled);
     }
+    // A verdict in the bar goes with its worth.
+    connect(verification_, &Controller::said, this,
+            [this](MessageBar::Kind, const QString& message, bool in_bar) {
+                if (in_bar) verdict_said_ = message;
+            });
+    connect(&verification_->model(), &VerificationModel::changed, this, [this, &messages] {
+        if (!verification_->model().current() && !verdict_said_.isEmpty()
+            && messages.bar().message() == verdict_said_)
+            messages.dismiss();
+    });
     connect(&messages.bar(), &MessageBar::dismissed, part_, &PartController::forget_former);
     connect(part_, &PartController::remarked, this, [this, &messages](const QString& remark) {
         remark_ = remark;

@@ -117,6 +117,7 @@ private:
     ScanController* scan_ = nullptr;
     StudyController* study_ = nullptr;
     QString remark_;               ///< of the part that was opened last
+    QString verdict_said_;         ///< in the bar
     std::vector<Controller*> all_; ///< in the order in which they are told
 };
 

@@ -485,6 +485,16 @@ private slots:
                               cancel, anyway, QStringLiteral("Verify again")}));
     }
 
+    void a_verdict_in_the_bar_goes_with_its_worth() {
+        QVERIFY(open_and_plan());
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
+        w().document().change(QStringLiteral("Finer"),
+                              [](Project& p) { p.operations.front()->common().tolerance /= 2; });
+        QVERIFY2(w().message_bar().message().isEmpty(), qPrintable(w().message_bar().message()));
+    }
+
     void export_is_doubted() {
         QVERIFY(open_and_plan());
         const QString folder = scratch_folder(QStringLiteral("export"));
