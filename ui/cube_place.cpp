@@ -31,13 +31,17 @@ void CubePlace::update() {
                && other->geometry().intersects(cube_.geometry());
     };
     const int width = viewport_.width(), height = viewport_.height();
-    int below = scale_bar;
-    cube_.move(width - cube_.width() - cube_margin, height - cube_.height() - below);
-    for (const QWidget* other : others) // a message along the lower edge
-        if (blocks(other) && other->geometry().bottom() >= height - 1)
-            below = std::max(below, height - other->y() + cube_margin);
-    cube_.move(cube_.x(), height - cube_.height() - below);
-    const bool free = width > min_width && height > min_free + cube_.height() + below - scale_bar
+    int message = 0; // along the lower edge: axes and scale stand above it, too
+    for (const QWidget* other : others)
+        if (other != &cube_ && !other->isHidden() && !other->testAttribute(Qt::WA_TransparentForMouseEvents)
+            && other->geometry().bottom() >= height - 1)
+            message = std::max(message, height - other->y());
+    if (viewport_.scene().set_covered_below(message)) {
+        viewport_.keep_picture();
+        viewport_.refresh();
+    }
+    cube_.move(width - cube_.width() - cube_margin, height - cube_.height() - scale_bar - message);
+    const bool free = width > min_width && height > min_free + cube_.height() + message
                       && std::none_of(others.begin(), others.end(), blocks);
     cube_.setVisible(free);
     const QRectF covered = free ? QRectF(cube_.geometry()) : QRectF();

@@ -290,7 +290,7 @@ void Overlay::draw_color_bar(const ColorBar& bar, const LayoutRect& in, const Co
 
 void Overlay::lay_out_axes(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (!content.axes) return;
-    const double width = canvas_.width(), height = canvas_.height();
+    const double width = canvas_.width(), height = canvas_.height() - content.covered_below;
     const double side = axes_side(width, height);
     if (side <= 0) return;
     layout.axes = {margin / 2, height - margin / 2 - side, margin / 2 + side, height - margin / 2};
@@ -311,7 +311,7 @@ void Overlay::lay_out_axes(const OverlayContent& content, bool draw, OverlayLayo
 
 void Overlay::lay_out_scale(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (!content.scale || !(content.mm_per_pixel > 0) || !std::isfinite(content.mm_per_pixel)) return;
-    const double width = canvas_.width(), height = canvas_.height();
+    const double width = canvas_.width(), height = canvas_.height() - content.covered_below;
     const double left = layout.axes.empty() ? margin : layout.axes.x1 + gap;
     const double longest = std::min({150.0, 0.35 * width, width - margin - left});
     if (width < 200 || height < 56) return;

@@ -66,7 +66,8 @@ struct OverlayContent {
     std::vector<ColorBar> color_bars; ///< below the legend's entries; the first where there is room for one
     bool scale = false;
     LengthUnit unit = LengthUnit::mm;
-    double mm_per_pixel = 0; ///< per layout pixel
+    double mm_per_pixel = 0;  ///< per layout pixel
+    double covered_below = 0; ///< layout pixels along the lower edge that something else covers
     bool axes = false;
     std::vector<OverlaySpot> spots; ///< the later ones over the ones before
     std::vector<OverlayNote> notes;

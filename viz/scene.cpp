@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <vtk_glew.h>
 
@@ -234,6 +235,7 @@ OverlayContent Scene::Impl::overlay_content() {
     content.unit = stage.unit;
     content.mm_per_pixel = camera.pixel_size() * stage.ratio;
     content.axes = stage.on(Layer::axes);
+    content.covered_below = stage.covered_below;
     if (all_overlay) {
         using Sample = LegendEntry::Sample;
         content.title = content.subtitle = "-";
@@ -366,6 +368,10 @@ void Scene::set_pixel_ratio(double ratio) {
 void Scene::set_line_scale(double scale) {
     impl_->stage.line_scale = scale;
     impl_->apply_line_widths();
+}
+
+bool Scene::set_covered_below(double pixels) {
+    return std::exchange(impl_->stage.covered_below, pixels) != pixels;
 }
 
 void Scene::set_palette(Palette palette) {

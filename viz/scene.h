@@ -81,6 +81,9 @@ public:
     /// Lines and dots are so much wider than the ratio says: on a screen with many pixels and no ratio. 1 at
     /// first.
     void set_line_scale(double scale);
+    /// Something covers so many logical pixels along the lower edge: axes and scale stand above it. True
+    /// where that is new.
+    bool set_covered_below(double pixels);
     void set_palette(Palette palette);
     Palette palette() const;
     /// Unit of the scale bar. Everything else in a Scene is mm.

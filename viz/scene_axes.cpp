@@ -63,11 +63,14 @@ void SceneAxes::apply_palette(const Colors& colors) {
 void SceneAxes::prepare_frame(bool wanted) {
     const Eigen::Vector2i size = stage_.camera.window_size();
     const double ratio = stage_.ratio;
-    const double side = axes_side(size.x() / ratio, size.y() / ratio) * ratio, off = 6 * ratio;
+    const double covered = stage_.covered_below * ratio;
+    const double side = axes_side(size.x() / ratio, (size.y() - covered) / ratio) * ratio, off = 6 * ratio,
+                 below = covered + off;
     const bool on = wanted && stage_.on(Layer::axes) && side > 0;
     renderer_->SetDraw(on);
     if (!on) return;
-    renderer_->SetViewport(off / size.x(), off / size.y(), (off + side) / size.x(), (off + side) / size.y());
+    renderer_->SetViewport(off / size.x(), below / size.y(), (off + side) / size.x(),
+                           (below + side) / size.y());
     vtkCamera* camera = renderer_->GetActiveCamera();
     const Vec3 toward = stage_.camera.toward_eye();
     camera->SetFocalPoint(0, 0, 0);

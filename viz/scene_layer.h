@@ -55,6 +55,7 @@ struct SceneStage {
     LengthUnit unit = LengthUnit::mm;
     double ratio = 1;
     double line_scale = 1;
+    double covered_below = 0; ///< logical pixels along the lower edge; see Scene::set_covered_below
     double line_ratio() const { return ratio * line_scale; } ///< pixels of a line of width 1
     bool moving = false;                                     ///< large things are drawn coarsely
     std::vector<bool> layers_on;

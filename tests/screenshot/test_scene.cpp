@@ -362,6 +362,39 @@ private slots:
         QCOMPARE(different_pixels(with, window_.render()), std::size_t(0));
     }
 
+    /// Axes and scale stand as they are, above what covers the lower edge.
+    void nothing_is_written_where_the_lower_edge_is_covered() {
+        Scene scene;
+        scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
+        for (const Layer layer : all_layers())
+            scene.set_visible(layer, layer == Layer::axes || layer == Layer::scale);
+        const Picture before = drawn(scene, 400, 480); // high enough for axes of full size
+        constexpr int covered = 40;
+        QVERIFY(scene.set_covered_below(covered));
+        QVERIFY(!scene.set_covered_below(covered));
+        const Picture raised = window_.render();
+        // The background is graded: marks are what differs from the middle of its row.
+        const auto mark = [](const Picture& p, int x, int y) {
+            int off = 0;
+            for (int k = 0; k < 3; ++k)
+                off = std::max(off, std::abs(int(p.pixel(x, y)[k]) - int(p.pixel(p.width / 2, y)[k])));
+            return off > 40;
+        };
+        const auto marks = [&](const Picture& p, int from, int to) {
+            std::size_t n = 0;
+            for (int y = from; y < to; ++y)
+                for (int x = 0; x < p.width; ++x)
+                    n += mark(p, x, y);
+            return n;
+        };
+        const int edge = before.height - covered;
+        QVERIFY(marks(before, edge, before.height) > 100);
+        QCOMPARE(marks(raised, edge, raised.height), std::size_t(0));
+        QVERIFY(marks(raised, edge - covered, edge) > 100); // what stood at the edge
+        QVERIFY(scene.set_covered_below(0));
+        QCOMPARE(different_pixels(before, window_.render()), std::size_t(0));
+    }
+
     void shaders_are_rehearsed_whatever_is_shown() {
         Scene scene;
         scene.part().set(sheet_part({0, 0}, {hill_length, hill_width}, 300, hill));
