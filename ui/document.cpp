@@ -5,6 +5,7 @@
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/output/post/post.h"
+#include "ui/operation_list.h"
 #include "ui/text.h"
 
 #include <QUndoCommand>
@@ -182,10 +183,7 @@ std::string Document::free_operation_name(const std::string& wish) const {
 
 std::size_t Document::add_operation(const std::string& kind) {
     NewOperation made = new_operation(kind, project_);
-    std::string label = kind;
-    for (const auto& k : operation_kinds())
-        if (k.kind == kind) label = k.label;
-    made.operation->common().name = free_operation_name(label.substr(0, label.find_first_of(",(")));
+    made.operation->common().name = free_operation_name(first_name_of(kind));
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(made.operation));
     std::vector<Tool> tools;

@@ -1,6 +1,7 @@
 #include "ui/operation_list.h"
 
 #include "core/job/copied_operations.h"
+#include "ui/operation_menu.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 
@@ -19,6 +20,19 @@ bool has_axis(const Operation& operation) {
 }
 
 } // namespace
+
+std::string first_name_of(const std::string& kind) {
+    const std::string label = utf8(operation_label(kind));
+    return label.substr(0, label.find_first_of(",("));
+}
+
+void name_operations(Project& project) {
+    for (auto& operation : project.operations)
+        operation->common().name.clear();
+    for (auto& operation : project.operations)
+        operation->common().name =
+            free_operation_name(project, first_name_of(std::string(operation->kind())));
+}
 
 bool has_tool_axis(const Document& document, std::size_t operation) {
     return operation < document.operation_count() && has_axis(document.operation(operation));

@@ -13,6 +13,11 @@
 
 namespace facetmill::ui {
 
+/// What a new operation of this kind is called, in the user's language: "Finish".
+std::string first_name_of(const std::string& kind);
+/// Names the operations of a new project so.
+void name_operations(Project& project);
+
 /// The operation has a tool axis of its own (3+2).
 bool has_tool_axis(const Document& document, std::size_t operation);
 /// Changes that of an operation that has one: a step of the history where it is another.

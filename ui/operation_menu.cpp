@@ -12,6 +12,12 @@
 #include <QMenu>
 #include <QPainter>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 namespace facetmill::ui {
 
 namespace {
@@ -24,7 +30,19 @@ QString drawing_name(const std::string& kind) {
 constexpr double drawing_share = 130.0 / 240.0;
 /// Narrower ones could not be made out.
 constexpr int narrowest_drawing = 48;
-constexpr int picture_width = 72; // points, in menus
+constexpr int picture_width = 66; // points, in menus: so all kinds stand in one column of 600 points
+
+/// As the manual tells of them: what is done first, what is asked for most; others behind these.
+std::vector<OperationKind> kinds_in_order() {
+    constexpr std::array<std::string_view, 14> order = {
+        "rough",  "finish3", "waterline", "steep_shallow", "cleanup",      "pencil",      "along_curve",
+        "radial", "spiral",  "morph",     "finish5",       "global_local", "lathe_rough", "lathe_finish"};
+    std::vector<OperationKind> kinds = operation_kinds();
+    const auto place = [&](const OperationKind& k) { return std::find(order.begin(), order.end(), k.kind); };
+    std::stable_sort(kinds.begin(), kinds.end(),
+                     [&](const OperationKind& a, const OperationKind& b) { return place(a) < place(b); });
+    return kinds;
+}
 
 class OperationIcon : public QIconEngine {
 public:
@@ -72,6 +90,15 @@ private:
 
 } // namespace
 
+QString operation_label(const std::string& kind) {
+    // What core says in one word is no message of the catalogues: users give such names.
+    if (kind == "rough") return QMenu::tr("Rough");
+    if (kind == "cleanup") return QMenu::tr("Clean-up");
+    for (const OperationKind& k : operation_kinds())
+        if (k.kind == kind) return worded(k.label);
+    return text(kind);
+}
+
 QString operation_words(const std::string& kind) {
     if (kind == "rough") return QMenu::tr("Takes the stock down layer by layer, and leaves an allowance");
     if (kind == "finish3") return QMenu::tr("Passes side by side over the surface, with an upright tool");
@@ -112,8 +139,8 @@ QMenu* operation_menu(QWidget* parent, const std::function<void(const std::strin
     menu->setObjectName(QStringLiteral("operation_menu"));
     menu->setIcon(icon(Icon::operation));
     show_pictures(menu);
-    for (const OperationKind& kind : operation_kinds()) {
-        QAction* entry = menu->addAction(operation_picture(kind.kind), worded(kind.label), parent,
+    for (const OperationKind& kind : kinds_in_order()) {
+        QAction* entry = menu->addAction(operation_picture(kind.kind), operation_label(kind.kind), parent,
                                          [add, name = kind.kind] { add(name); });
         entry->setToolTip(operation_words(kind.kind));
     }

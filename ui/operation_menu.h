@@ -12,6 +12,9 @@ class QWidget;
 
 namespace facetmill::ui {
 
+/// A kind of operation as the user's language calls it: "Finish, 3-axis".
+QString operation_label(const std::string& kind);
+
 /// What a kind of operation does, in a line; empty for a kind that nobody has described.
 QString operation_words(const std::string& kind);
 

@@ -13,6 +13,7 @@
 #include "ui/dropped_files.h"
 #include "ui/export.h"
 #include "ui/messages.h"
+#include "ui/operation_list.h"
 #include "ui/part_dialog.h"
 #include "ui/properties_panel.h"
 #include "ui/scan_words.h"
@@ -333,6 +334,7 @@ void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit,
     Project project = turned ? default_turned_project(path, unit, loaded.part->box)
                              : default_project(path, unit, loaded.part->box);
     if (!turned) take_usual(project);
+    name_operations(project);
     loaded.key = Document::part_key(project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));

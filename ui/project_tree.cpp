@@ -48,12 +48,6 @@ Icon state_icon(OperationState state) {
     return Icon::not_planned;
 }
 
-QString operation_label(const std::string& kind) {
-    for (const auto& k : operation_kinds())
-        if (k.kind == kind) return worded(k.label);
-    return text(kind);
-}
-
 /// One of a list that is no setup; false for anything else.
 bool duplicate_in_list(Document& document, const TreeNode& node) {
     if (node.kind == TreeNode::Kind::tool)

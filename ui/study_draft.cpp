@@ -6,6 +6,7 @@
 #include "core/setup/stock.h"
 #include "core/study/study.h"
 #include "core/tools/library_file.h"
+#include "ui/operation_menu.h"
 #include "ui/own_folders.h"
 #include "ui/study_words.h"
 #include "ui/text.h"
@@ -125,7 +126,7 @@ std::vector<DraftVariation::Choice> kind_choices(const Operation& operation) {
             other->purpose() == operation.purpose() && other->keeps_axis() == operation.keeps_axis()
             && !other->turning() == !operation.turning() && !other->rework() == !operation.rework();
         if (alike || kind.kind == operation.kind())
-            choices.push_back({worded(kind.label), kind.kind, {}, kind.kind == operation.kind()});
+            choices.push_back({operation_label(kind.kind), kind.kind, {}, kind.kind == operation.kind()});
     }
     return choices;
 }

@@ -106,6 +106,24 @@ QString with_places(const QString& translation, const QStringList& filled) {
     return result;
 }
 
+/// Whole numbers of so many digits are hard to read without gaps.
+constexpr qsizetype long_count = 5;
+
+/// What fills a place, where that is a large count: with gaps.
+QString count_said(const QString& filled) {
+    bool whole = false;
+    const qulonglong n = filled.toULongLong(&whole);
+    return whole && filled.size() >= long_count && filled == QString::number(n) ? count_text(n) : filled;
+}
+
+bool has_long_count(const QString& message) {
+    qsizetype digits = 0;
+    return std::any_of(message.begin(), message.end(), [&](QChar c) {
+        digits = c.isDigit() ? digits + 1 : 0;
+        return digits >= long_count;
+    });
+}
+
 std::optional<QString> sentence_of(const QString& message, int depth);
 
 /// Letters of a message that are the catalogue's; 0 where it does not know it.
@@ -144,6 +162,9 @@ std::optional<QString> sentence_of(const QString& message, int depth) {
         const bool name = found->between[i].endsWith(QLatin1Char('\''))
                           && found->between[i + 1].startsWith(QLatin1Char('\''));
         if (!name) filled[i] = place_said(filled[i], depth + 1);
+        // Lengths stay as they are: they are told in other units after this.
+        if (!name && !found->between[i + 1].startsWith(QLatin1String(" mm")))
+            filled[i] = count_said(filled[i]);
     }
     return in_user_numbers(with_places(in_catalogue(found->id), filled));
 }
@@ -210,7 +231,7 @@ QString message_id(const QString& message) {
 }
 
 QString worded(const QString& english) {
-    if (as_core_says()) return english;
+    if (as_core_says() && !has_long_count(english)) return english;
     const auto sentence = sentence_of(english, 0);
     return sentence ? *sentence : line_said(english);
 }
@@ -224,7 +245,7 @@ QString worded(const char* english) {
 }
 
 QString worded(const Error& e) {
-    if (as_core_says()) return text(e.what());
+    if (const QString line = text(e.what()); as_core_says() && !has_long_count(line)) return line;
     QString line =
         e.where().empty() ? QString() : place_names(text(printable(e.where(), 400))) + QStringLiteral(": ");
     line += worded(printable(e.message(), 4000));

@@ -1,5 +1,6 @@
 // The window in other languages: every text of core is known in them, messages keep what fills their places,
 // numbers are written and read the user's way. That nothing is cut is asked by test_window_layout.cpp.
+#include "core/job/program_files.h"
 #include "core/job/project.h"
 #include "core/output/post/post.h"
 #include "core/setup/machine.h"
@@ -16,6 +17,7 @@
 #include "ui/value_words.h"
 #include "ui/worded.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
@@ -23,6 +25,8 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -161,6 +165,25 @@ private slots:
         QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
     }
 
+    void large_counts_in_messages_have_gaps() {
+        const QString message =
+            QStringLiteral("machine 'M12345' does not hold 779670 of 780152 motions as planned: "
+                           "motion 4: the machine cannot incline the tool like this; and 9667 more");
+        const QString gap(QChar(0x202F));
+        for (const char* language : {"en", "de", "fr"}) {
+            ui::speak(QString::fromLatin1(language));
+            const QString said = ui::worded(message);
+            for (const QString& whole : {QStringLiteral("779") + gap + QStringLiteral("670"),
+                                         QStringLiteral("780") + gap + QStringLiteral("152"),
+                                         QStringLiteral("'M12345'"), QStringLiteral("9667")})
+                QVERIFY2(said.contains(whole), qPrintable(said));
+            // Lengths are told in other units afterwards.
+            QVERIFY(
+                ui::worded("allowed: above 0 mm and at most 12500 mm").contains(QStringLiteral("12500 mm")));
+            QCOMPARE(ui::worded("nobody wrote 12345"), QStringLiteral("nobody wrote 12345"));
+        }
+    }
+
     void numbers_are_written_and_read_the_users_way() {
         const ParameterInfo& info = tool_parameters().find("diameter")->info;
         const auto read = [&](const char* entry) {
@@ -226,6 +249,31 @@ private slots:
         ui::duplicate_setup(w().document(), 0);
         QCOMPARE(setup_at(project, 0).name, std::string("Aufspannung 1"));
         QCOMPARE(setup_at(project, 1).name, std::string("Aufspannung 2"));
+    }
+
+    void new_operations_have_names_of_the_language() {
+        ui::speak(QStringLiteral("fr"));
+        QVERIFY(show_window() && open_part());
+        QCOMPARE(first_operation(w()).name, std::string("Finition"));
+        w().document().add_operation("rough");
+        w().document().add_operation("finish3");
+        QStringList names;
+        for (const auto& o : w().document().project().operations)
+            names << ui::text(o->common().name);
+        names.sort();
+        QStringList kinds;
+        for (const QAction* a : w().tree().add_operation_menu()->actions())
+            kinds << a->text();
+        QVERIFY2(kinds.contains(QString::fromUtf8("\xC3\x89"
+                                                  "bauche"))
+                     && kinds.contains(QStringLiteral("Nettoyage"))
+                     && kinds.contains(QStringLiteral("Finition, 3 axes")),
+                 qPrintable(kinds.join(QChar(' '))));
+        QCOMPARE(names, (QStringList{QStringLiteral("Finition"), QStringLiteral("Finition 2"),
+                                     QString::fromUtf8("\xC3\x89"
+                                                       "bauche")}));
+        const auto files = program_file_names(w().document().project());
+        QVERIFY(std::find(files.begin(), files.end(), "01-Ebauche.apt") != files.end());
     }
 
     void mnemonics_are_their_own_in_every_menu_data() { each_described_text_is_known_data(); }

@@ -165,11 +165,17 @@ private slots:
         QVERIFY2(bar.top() > view.height() / 2, qPrintable(QString::number(bar.top())));
         QCOMPARE(view.view_cube()->isVisible(), cube);
         if (cube) QVERIFY(!view.view_cube()->geometry().intersects(bar));
-        QCOMPARE(changed_pixels(before, view_picture(w())), 0); // the picture stays where it is
+        // The part stays where it is; axes and scale stand above the message.
+        constexpr int axes_height = 110;
+        const QRect above(0, 0, before.width(), bar.top() - axes_height);
+        const QImage after = view_picture(w());
+        QCOMPARE(changed_pixels(before.copy(above), after.copy(above)), 0);
+        QVERIFY(changed_pixels(before, after) > 100);
         shot(w(), QStringLiteral("sight-message-%1").arg(size.width()));
         w().message_bar().dismiss();
         QTest::qWait(30);
         QCOMPARE(view.view_cube()->isVisible(), cube);
+        QCOMPARE(changed_pixels(before, view_picture(w())), 0);
     }
 
     /// Every kind of operation has a drawing and a line of words, in both palettes.
@@ -197,6 +203,11 @@ private slots:
                 shot(*menu, QStringLiteral("sight-operations-%1-%2")
                                 .arg(menu == add->menu() ? QStringLiteral("add") : QStringLiteral("menu"))
                                 .arg(ui::theme_name(theme)));
+                // In machining order, and in one column of a small screen.
+                QCOMPARE(menu->actions().front()->text(), QStringLiteral("Rough"));
+                if (menu != add->menu())
+                    QVERIFY2(height * int(operation_kinds().size()) < 580,
+                             qPrintable(QString::number(height)));
                 const QAction* last = menu->actions().back();
                 const int sign = menu->actionGeometry(const_cast<QAction*>(last)).height();
                 menu->close();
