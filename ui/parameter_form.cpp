@@ -235,6 +235,7 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     if (row.pick || beside_label) {
         auto* both = new QHBoxLayout;
         both->setContentsMargins(0, 0, 0, 0);
+        both->setSpacing(grid->horizontalSpacing());
         both->addWidget(row.label, 1);
         if (beside_label) both->addWidget(row.unit);
         if (row.pick) both->addWidget(row.pick);

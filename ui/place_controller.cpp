@@ -140,7 +140,7 @@ void PlaceController::show_zero() {
         try {
             const Vec3 zero = work_zero(project, *document_.part());
             const std::string name = work_zero_name(project);
-            shown.text = tr("%1 in %2").arg(text(name), worded(work_zero_text(spec, project.unit)));
+            shown.text = tr("%1 in %2").arg(worded(name), worded(work_zero_text(spec, project.unit)));
             if (seen_ || zero != Vec3::Zero())
                 mark = ZeroMark{zero, zero_axis_share * document_.part()->box.diagonal(), name};
         } catch (const Error& e) {

@@ -26,7 +26,7 @@ RoughBar::RoughBar(QWidget* parent) : QWidget(parent) {
     readout_->setObjectName(QStringLiteral("layer_readout"));
     readout_->setMinimumWidth(40);
     row->addWidget(name);
-    row->addWidget(slider_, 2);
+    row->addWidget(slider_, 1);
     row->addWidget(readout_, 3);
 }
 

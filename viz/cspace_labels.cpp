@@ -40,7 +40,10 @@ std::vector<LegendEntry> cspace_legend(const CSpaceContent& content, Palette pal
     entries.push_back({Sample::box, cspace_top_color(), 1, "Highest lift that clears the strip"});
     if (has(PostureBlock::free))
         entries.push_back({Sample::box, posture_block_color(PostureBlock::free), 1, "Free volume"});
-    entries.push_back({Sample::line, colors_of(palette).feature_edges, 1, "Lowest free lift, stopped by:"});
+    const bool stopped = std::any_of(content.block.begin(), content.block.end(),
+                                     [](PostureBlock b) { return b != PostureBlock::free; });
+    entries.push_back({Sample::line, colors_of(palette).feature_edges, 1,
+                       stopped ? "Lowest free lift, stopped by:" : "Lowest free lift"});
     for (std::size_t b = 0; b < posture_blocks; ++b)
         if (has(PostureBlock(b)))
             entries.push_back({Sample::surface, posture_block_color(PostureBlock(b)), 1,

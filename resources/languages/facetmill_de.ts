@@ -1516,6 +1516,10 @@
         <translation>Gesucht wird, wo der vorherige Fräser etwas ließ</translation>
     </message>
     <message>
+        <source>Lowest free lift</source>
+        <translation>Kleinster freier Abhub</translation>
+    </message>
+    <message>
         <source>Lowest free lift, stopped by:</source>
         <translation>Kleinster freier Abhub, begrenzt durch:</translation>
     </message>
@@ -6736,6 +6740,10 @@
         <translation>eines von: {1}</translation>
     </message>
     <message>
+        <source>one place is left to clean-up because the tool cannot come there from its neighbours without gouging or turning too far</source>
+        <translation>eine Stelle bleibt der Restbearbeitung, weil das Werkzeug von den Nachbarn nicht ohne Verletzung oder zu große Drehung dorthin kommt</translation>
+    </message>
+    <message>
         <source>oneway</source>
         <translation>einseitig</translation>
     </message>
@@ -10604,7 +10612,7 @@
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation>%1 in %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 is missing. It was looked for in %2.</source>
@@ -11705,6 +11713,10 @@
     <message>
         <source>Clamp over the edge</source>
         <translation>Spannpratze über die Kante</translation>
+    </message>
+    <message>
+        <source>Clean-up</source>
+        <translation>Restbearbeitung</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -14111,6 +14123,10 @@ auf, %1</translation>
     <message>
         <source>Roll clockwise</source>
         <translation>Im Uhrzeigersinn rollen</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Schruppen</translation>
     </message>
     <message>
         <source>Running these programs can damage part, tool and machine.</source>

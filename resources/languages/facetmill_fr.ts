@@ -1516,6 +1516,10 @@
         <translation>Recherche de ce que la fraise précédente a laissé</translation>
     </message>
     <message>
+        <source>Lowest free lift</source>
+        <translation>Plus basse levée libre</translation>
+    </message>
+    <message>
         <source>Lowest free lift, stopped by:</source>
         <translation>Plus basse levée libre, arrêtée par :</translation>
     </message>
@@ -6736,6 +6740,10 @@
         <translation>un de : {1}</translation>
     </message>
     <message>
+        <source>one place is left to clean-up because the tool cannot come there from its neighbours without gouging or turning too far</source>
+        <translation>un endroit est laissé au nettoyage parce que l'outil n'y vient pas des voisins sans entailler ou trop tourner</translation>
+    </message>
+    <message>
         <source>oneway</source>
         <translation>sens unique</translation>
     </message>
@@ -10604,7 +10612,7 @@
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation>%1 dans %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>%1 is missing. It was looked for in %2.</source>
@@ -11705,6 +11713,10 @@
     <message>
         <source>Clamp over the edge</source>
         <translation>Bride sur l'arête</translation>
+    </message>
+    <message>
+        <source>Clean-up</source>
+        <translation>Nettoyage</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -14109,6 +14121,10 @@
     <message>
         <source>Roll clockwise</source>
         <translation>Rouler vers la droite</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Ébauche</translation>
     </message>
     <message>
         <source>Running these programs can damage part, tool and machine.</source>

@@ -57,9 +57,12 @@ void warn(const Told& t, const UnfreePoints& unfree, const KeptPostures& kept, S
                        + " contact points no posture clears the whole strip: it is cut under the pass, and "
                          "left to clean-up beside it");
     if (const std::size_t said = unfree.count() + unfree.narrowed(); result.cleanup_points > said)
-        told.push_back(std::to_string(result.cleanup_points - said)
-                       + " places are left to clean-up because the tool cannot come there from "
-                         "its neighbours without gouging or turning too far");
+        told.push_back(result.cleanup_points - said == 1
+                           ? "one place is left to clean-up because the tool cannot come there from "
+                             "its neighbours without gouging or turning too far"
+                           : std::to_string(result.cleanup_points - said)
+                                 + " places are left to clean-up because the tool cannot come there from "
+                                   "its neighbours without gouging or turning too far");
     for (std::string& warning : kept.warnings())
         told.push_back(std::move(warning));
     if (t.settings.stepover.is_number() && result.cusp_max > t.cusp)
