@@ -225,9 +225,14 @@ bool SceneCanvas::rehearse_next() {
 }
 
 void SceneCanvas::make_shaders() {
+    // In a window that was never shown there is not yet room for axes and scale, whose shaders would be left.
+    constexpr QSize roomy(640, 480);
+    const QSize had = size();
+    resize(had.expandedTo(roomy));
     (void)picture(); // its own shaders first, and what is still being drawn
     while (!shaders_made() && rehearse_next())
         (void)picture(); // waits for it; nothing of it is to be seen
+    resize(had);
 }
 
 void SceneCanvas::rested() {

@@ -340,8 +340,10 @@ private slots:
         window_ = std::make_unique<MainWindow>();
         w().resize(1280, 800);
         QVERIFY(!w().viewport().shaders_made());
+        const QSize had = w().viewport().size();
         w().viewport().make_shaders();
         QVERIFY(w().viewport().shaders_made());
+        QCOMPARE(w().viewport().size(), had);
         w().show();
         QVERIFY(activate(w()));
         QCOMPARE(changed_pixels(view_picture(w()), usual, 0), 0); // they leave no trace
