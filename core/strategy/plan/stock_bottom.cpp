@@ -38,12 +38,36 @@ bool cuts_floor(const Pass& pass, std::size_t i) {
     return pass.cc[i].normal.z() > tolerance::vertical_normal_z && pass.cc[i].point != pass.cl[i].tip;
 }
 
+/// Where a pass crosses the level between location i - 1 and this one.
+void add_crossing(const Pass& pass, std::size_t i, double lowest, Pass& raised) {
+    const Vec3 &from = pass.cl[i - 1].tip, &to = pass.cl[i].tip;
+    const double high = std::max(from.z(), to.z()), low = std::min(from.z(), to.z());
+    if (high - lowest <= tolerance::contact_distance || lowest - low <= tolerance::contact_distance) return;
+    const double t = (lowest - from.z()) / (to.z() - from.z());
+    raised.cl.push_back({from + t * (to - from), pass.cl[i].axis});
+    raised.cl.back().tip.z() = lowest;
+    if (i >= pass.cc.size()) return;
+    const CutterContact &a = pass.cc[i - 1], &b = pass.cc[i];
+    const Vec3 normal = a.normal + t * (b.normal - a.normal);
+    CutterContact& between = raised.cc.emplace_back(t < 0.5 ? a : b);
+    between.point = a.point + t * (b.point - a.point);
+    if (normal.norm() > tolerance::level_angle) between.normal = normal.normalized();
+}
+
+/// With a location where the way crosses the level: from a raised end the tool would leave a wall that leans
+/// on its whole way to the next one.
 void raise(Pass& pass, double lowest, Kept& kept) {
+    Pass raised;
     for (std::size_t i = 0; i < pass.cl.size(); ++i) {
-        double& z = pass.cl[i].tip.z();
-        kept.see(cuts_floor(pass, i) ? lowest - z : 0);
-        z = std::max(z, lowest);
+        if (i > 0) add_crossing(pass, i, lowest, raised);
+        CutterLocation c = pass.cl[i];
+        kept.see(cuts_floor(pass, i) ? lowest - c.tip.z() : 0);
+        c.tip.z() = std::max(c.tip.z(), lowest);
+        raised.cl.push_back(c);
+        if (i < pass.cc.size()) raised.cc.push_back(pass.cc[i]);
     }
+    pass.cl = std::move(raised.cl);
+    pass.cc = std::move(raised.cc);
     for (CutterLocation& c : pass.entry)
         c.tip.z() = std::max(c.tip.z(), lowest);
 }

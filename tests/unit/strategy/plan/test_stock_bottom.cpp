@@ -83,9 +83,15 @@ private slots:
         path.passes[0].entry = {{Vec3(0, 0, 4), Vec3::UnitZ()}, {Vec3(0, 0, 0), Vec3::UnitZ()}};
         StrategyResult allowed = path, wall = path;
         keep_above_bottom(path, context, common);
-        const std::vector<double> expected{3, 1, 1, 1, 2};
-        for (std::size_t i = 0; i < expected.size(); ++i)
-            QCOMPARE(path.passes[0].cl[i].tip.z(), expected[i]);
+        // On the way from -1 to 2 it leaves the level where the way crosses it.
+        const std::vector<Vec2> expected{{0, 3}, {1, 1}, {2, 1}, {3, 1}, {3 + 2.0 / 3, 1}, {4, 2}};
+        QCOMPARE(path.passes[0].cl.size(), expected.size());
+        QCOMPARE(path.passes[0].cc.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            QCOMPARE(path.passes[0].cl[i].tip.x(), expected[i].x());
+            QCOMPARE(path.passes[0].cl[i].tip.z(), expected[i].y());
+        }
+        QCOMPARE(path.passes[0].cc[4].point.x(), 3 + 2.0 / 3);
         QCOMPARE(path.passes[0].entry[1].tip.z(), 1.0);
         QCOMPARE(path.warnings.size(), std::size_t(1));
         QVERIFY(QString::fromStdString(path.warnings[0]).contains(QStringLiteral("up to 2 mm")));
