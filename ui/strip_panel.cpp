@@ -38,6 +38,8 @@ QString type_text(const Strip& strip) {
         return StripPanel::tr("No posture");
     case StripKind::rest:
         return StripPanel::tr("Rest material");
+    case StripKind::foot:
+        return StripPanel::tr("Foot of a wall");
     }
     return {};
 }

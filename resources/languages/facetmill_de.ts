@@ -976,6 +976,10 @@
         <translation>Kehlen werden verfolgt</translation>
     </message>
     <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
         <source>Found</source>
         <translation>Gefunden</translation>
     </message>
@@ -9180,6 +9184,10 @@
         <translation>Werkzeug {1} berührt beide Flanken, lässt {2}</translation>
     </message>
     <message>
+        <source>tool {1} would go below the bottom of the stock, leaves {2}</source>
+        <translation>Werkzeug {1} käme unter den Boden des Rohteils, lässt {2} stehen</translation>
+    </message>
+    <message>
         <source>tools keep {1}</source>
         <translation>Werkzeuge halten {1} Abstand</translation>
     </message>
@@ -12503,6 +12511,10 @@ bei</translation>
     <message>
         <source>Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming</source>
         <translation>Folgt einer auf das Teil gezeichneten Kurve oder dem Umriss, darauf oder daneben: Gravieren, Besäumen</translation>
+    </message>
+    <message>
+        <source>Foot of a wall</source>
+        <translation>Fuß einer Wand</translation>
     </message>
     <message>
         <source>Forget the posture kept for this point</source>

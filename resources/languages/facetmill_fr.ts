@@ -976,6 +976,10 @@
         <translation>Suivi des vallées</translation>
     </message>
     <message>
+        <source>Foot</source>
+        <translation>Pied</translation>
+    </message>
+    <message>
         <source>Found</source>
         <translation>Trouvé</translation>
     </message>
@@ -9180,6 +9184,10 @@
         <translation>l'outil {1} touche les deux flancs, laisse {2}</translation>
     </message>
     <message>
+        <source>tool {1} would go below the bottom of the stock, leaves {2}</source>
+        <translation>l’outil {1} irait sous le fond du brut, laisse {2}</translation>
+    </message>
+    <message>
         <source>tools keep {1}</source>
         <translation>les outils gardent {1}</translation>
     </message>
@@ -12501,6 +12509,10 @@
     <message>
         <source>Follows a curve drawn on the part or the outline, on it or beside it: engraving, trimming</source>
         <translation>Suit une courbe dessinée sur la pièce ou le contour, dessus ou à côté : gravure, détourage</translation>
+    </message>
+    <message>
+        <source>Foot of a wall</source>
+        <translation>Pied de paroi</translation>
     </message>
     <message>
         <source>Forget the posture kept for this point</source>

@@ -10,6 +10,7 @@
 #include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/finish3/finish3.h"
+#include "core/strategy/plan/stock_bottom.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/error_code.h"
@@ -53,6 +54,28 @@ Mesh tall_wall(double draft) {
 Mesh dimpled() {
     return height_field([](double x, double y) { return -3 * std::exp(-(x * x + y * y) / 16); },
                         Vec2(-20, -16), Vec2(20, 16), 120, 96);
+}
+
+/// The slope of the frustum's walls.
+constexpr double frustum_slope = 75;
+
+/// A closed frustum on z = 0, 12 mm high.
+Mesh frustum() {
+    const double high = 12, in = high / std::tan(radians(frustum_slope));
+    Mesh m;
+    for (const double z : {0.0, high})
+        for (const Vec2& c : {Vec2(-20, -14), Vec2(20, -14), Vec2(20, 14), Vec2(-20, 14)}) {
+            const double less = z > 0 ? in : 0;
+            m.vertices.emplace_back(c.x() - std::copysign(less, c.x()), c.y() - std::copysign(less, c.y()),
+                                    z);
+        }
+    m.facets = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+    for (Index k = 0; k < 4; ++k) {
+        const Index l = (k + 1) % 4;
+        m.facets.push_back({k, l, l + 4});
+        m.facets.push_back({k, l + 4, k + 4});
+    }
+    return m;
 }
 
 /// Short, with a holder that no wall leaves room for.
@@ -320,6 +343,79 @@ private slots:
         const Verification v = judged(part, programs, path.chord_tolerance);
         QVERIFY(!v.gouged());
         QCOMPARE(v.collisions.size(), std::size_t(0));
+    }
+
+    /// On a leaning wall that goes down to the bottom of the stock a ball kept above it touches nothing below
+    /// R (1 - n.z): a smaller one goes down to its own, and there only.
+    void the_foot_of_a_wall_is_cut_as_low_as_the_ball_goes() {
+        const Mesh part = frustum();
+        PlanContext context = context_of(part, ball_tool(12));
+        context.stock_box.lo -= Vec3(3, 3, 0);
+        context.stock_box.hi += Vec3(3, 3, 1);
+        context.stock.box = context.stock_box;
+        Finish3Settings finish;
+        finish.tool = 1;
+        finish.tolerance = tau;
+        const Finish3 before(finish);
+        CleanupSettings s;
+        s.tool = 2;
+        s.tolerance = tau;
+        const Cleanup op(s);
+        StrategyResult finished = before.plan(context, Progress());
+        std::vector<VerifyProgram> programs;
+        // Clean-up after finishing over this stock: finishing as the planner keeps it above the bottom.
+        const auto cleaned_up = [&](PlanContext after) {
+            StrategyResult path = finished;
+            keep_above_bottom(path, after, finish);
+            programs = {program_of(before, path, after)};
+            auto earlier = std::make_shared<EarlierCuts>();
+            earlier->cutter = after.tool.cutter();
+            const auto& motions = programs[0].motions->motions;
+            for (std::size_t i = 1; i < motions.size(); ++i)
+                if (motions[i].kind != MotionKind::rapid)
+                    earlier->motions.push_back({motions[i - 1].to.tip, motions[i].to.tip});
+            after.earlier.push_back(earlier);
+            after.further_tools = {after.tool};
+            after.tool = ball_tool(4);
+            after.tool.number = 2;
+            StrategyResult clean = op.plan(after, Progress());
+            keep_above_bottom(clean, after, s);
+            programs.push_back(program_of(op, clean, after));
+            return clean;
+        };
+        // Where the stock goes on below, the large ball has been everywhere.
+        PlanContext lower = context;
+        lower.stock_box.lo.z() -= 20;
+        lower.stock.box = lower.stock_box;
+        QCOMPARE(code_of([&] { cleaned_up(lower); }), std::string("empty_result"));
+        const StrategyResult path = cleaned_up(context);
+        QVERIFY(!path.strips.empty() && !path.passes.empty());
+        for (const Strip& strip : path.strips)
+            QVERIFY(strip.kind == StripKind::foot);
+        for (const Pass& pass : path.passes)
+            for (const CutterLocation& c : pass.cl)
+                QVERIFY2(c.tip.z() >= 0 && c.tip.z() < 11, qPrintable(QString::number(c.tip.z())));
+        const double touched = 2 * (1 - std::cos(radians(frustum_slope)));
+        const auto most_left = [&] {
+            StockSolid stock;
+            stock.box = context.stock_box;
+            VerifySettings v;
+            v.resolution = v.sample_spacing = 0.3;
+            v.motion_bound = 0.01;
+            v.tolerance = tau;
+            v.gouge_limit = path.chord_tolerance;
+            const Verification judge = verify(part, stock, programs, v, Progress());
+            double most = judge.gouged() ? infinity : 0;
+            for (std::size_t i = 0; i < judge.surface->points.size(); ++i)
+                if (const double z = judge.surface->points[i][2]; z > touched + 0.05 && z < 11.9)
+                    most = std::max(most, double(judge.surface->deviation[i]));
+            return most;
+        };
+        const double cleaned = most_left();
+        programs.pop_back();
+        const double alone = most_left();
+        QVERIFY2(alone > 5 * tau && cleaned <= 1.05 * tau,
+                 qPrintable(QString("%1 %2").arg(alone).arg(cleaned)));
     }
 
     /// Around places on a dish that every tool fits into.

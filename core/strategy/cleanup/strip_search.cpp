@@ -1,5 +1,6 @@
 #include "core/strategy/cleanup/strip_search.h"
 
+#include "core/strategy/cleanup/foot_places.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/surface/point_grid.h"
 
@@ -33,6 +34,8 @@ public:
             if (settings.rest_material)
                 find_left(left.rest, left.rest_spacing, StripKind::rest, progress.part(0.9, 1));
         }
+        const FootPlaces foot = foot_places(job_, progress.part(1, 1));
+        find_left(foot.places, foot.spacing, StripKind::foot, progress.part(1, 1));
         return std::move(found_);
     }
 
@@ -60,9 +63,11 @@ private:
                    const Progress& progress) {
         const double apart = std::max(spacing, smallest_spacing * job_.radius);
         // A point stands for all that its line was to cut there; a sample for itself.
-        const double smallest = kind == StripKind::rest ? job_.ripple : 0;
+        const double smallest = kind == StripKind::no_posture ? 0 : job_.ripple;
         const std::vector<LeftPlace> others = beside_strips(places, apart);
-        for (LeftStrip& strip : left_strips(job_.context, others, apart, job_.overlap, smallest, progress)) {
+        // Below the foot's places the cutter goes nowhere.
+        const double offset = kind == StripKind::foot ? apart : job_.overlap;
+        for (LeftStrip& strip : left_strips(job_.context, others, apart, offset, smallest, progress)) {
             FoundStrip f;
             f.kind = kind;
             f.band.band = strip.strip.band;
@@ -123,6 +128,8 @@ const char* kind_word(const FoundStrip& f) {
         return "Points";
     case StripKind::rest:
         return "Rest";
+    case StripKind::foot:
+        return "Foot";
     default:
         return f.curve ? "Valley" : "Hollow";
     }
@@ -138,6 +145,9 @@ std::string reason(const CleanupJob& job, const FoundStrip& f) {
                + " by operations before";
     case StripKind::rest:
         return "the operations before leave " + job.text(f.band.depth);
+    case StripKind::foot:
+        return "tool " + std::to_string(job.settings.previous_tool)
+               + " would go below the bottom of the stock, leaves " + job.text(f.band.depth);
     default:
         return "tool " + std::to_string(job.settings.previous_tool)
                + (f.curve ? " touches both flanks, leaves " : " cannot enter, leaves ")

@@ -20,6 +20,7 @@ enum class StripKind : std::uint8_t {
     valley,     ///< the cutter touches at two places, type (b)
     no_posture, ///< contact points without a free posture
     rest,       ///< material that the verification found
+    foot,       ///< the previous cutter would go below the bottom of the stock
 };
 
 struct Strip {
