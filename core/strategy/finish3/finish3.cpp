@@ -31,9 +31,9 @@ constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
 constexpr double max_places = 2e9;
 
-/// Where the passes leave more than this share of the surface, the other direction is planned too, and taken
-/// where it leaves less than this share of that.
-constexpr double much_passed_by = 0.002, better_passed_by = 0.7;
+/// Where more than this share of the surface stays that the cutter could reach, the other direction is
+/// planned too, and taken where it leaves less than this share of that.
+constexpr double much_left = 0.002, better_left = 0.7;
 /// The same where it is expected to travel less than this share; taken where it does travel less than that.
 constexpr double less_expected = 0.9, less_travel = 0.95;
 
@@ -48,8 +48,11 @@ public:
     /// `judged`: with what stays uncut, and all that is said of it.
     PlannedPasses run(double direction, bool judged);
     double travel(const StrategyResult& plan) const { return travel_length(plan.passes, cover_.radius()); }
-    /// Share of the surface that the passes leave uncut where the cutter could go.
-    double passed_by() const { return uncut_.area > 0 ? uncut_.passed_by.area / uncut_.area : 0; }
+    /// Share of the surface that stays uncut where the cutter could go: passes do not, or shank or holder
+    /// keep them from it, which along a wall is often less than across.
+    double left() const {
+        return uncut_.area > 0 ? (uncut_.passed_by.area + uncut_.held.area) / uncut_.area : 0;
+    }
 
 private:
     StepOverInput input_for(double direction, ContactDomain& domain) const;
@@ -362,7 +365,7 @@ PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& c
     if (!choose) return best;
     const double second = first == 0 ? 0.5 * pi : 0;
     Planner turned(settings, context, again);
-    const bool leaves_much = planner.passed_by() > much_passed_by;
+    const bool leaves_much = planner.left() > much_left;
     const double length = planner.travel(best.path);
     const std::optional<TravelEstimate> expected = turned.estimate(second);
     if (!expected || !(leaves_much || expected->cost() < less_expected * length)) {
@@ -370,15 +373,15 @@ PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& c
         return best;
     }
     PlannedPasses other = turned.run(second, judged);
-    const bool leaves_less = leaves_much && turned.passed_by() < better_passed_by * planner.passed_by(),
-               shorter = turned.passed_by() <= planner.passed_by() + much_passed_by
+    const bool leaves_less = leaves_much && turned.left() < better_left * planner.left(),
+               shorter = turned.left() <= planner.left() + much_left
                          && turned.travel(other.path) < less_travel * length;
     const PlanText text{context.unit, context.to_setup};
     const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
         return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
-               + (by.passed_by() > 0 ? ", " + share_text(by.passed_by(), 1)
-                                           + " of the surface uncut where the cutter could go"
-                                     : std::string());
+               + (by.left() > 0
+                      ? ", " + share_text(by.left(), 1) + " of the surface uncut where the cutter could go"
+                      : std::string());
     };
     std::string reason = told(first, best.path, planner) + "; " + told(second, other.path, turned);
     if (leaves_less || shorter) best = std::move(other);
