@@ -83,9 +83,10 @@ struct FitTool {
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
     std::function<bool(const Vec3&)> asked;
-    bool finishes = true;      ///< what its operation leaves does not count as uncut
-    Vec3 up = Vec3::UnitZ();   ///< of its setup
-    double lowest = -infinity; ///< along it: the stock's bottom, or how low the cutter goes if that is lower
+    bool finishes = true;       ///< what its operation leaves does not count as uncut
+    Vec3 up = Vec3::UnitZ();    ///< of its setup
+    double lowest = -infinity;  ///< along it: the stock's bottom, or how low the cutter goes if that is lower
+    std::optional<Room> before; ///< the stock as it begins with it, where shank and holder keep out of it
 };
 
 /// How high the lowest place of a cutter is along `up`.
@@ -154,6 +155,10 @@ public:
     void stand_in(const StockModel& stock, const Progress& progress) {
         left_.emplace(stock_places(stock, progress), progress);
     }
+    /// And those of a program against what it begins with.
+    void begin_in(std::size_t program, const StockModel& stock, const Progress& progress) {
+        tools_[program].before.emplace(stock_places(stock, progress), progress);
+    }
     /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, no_operation, or
     /// no_tool; and the program whose tool or cutter it is.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
@@ -202,7 +207,8 @@ private:
                     in_tab = true;
                 else if (lowest_of(tool.cutter, at, tool.up) < tool.lowest - gouge_limit_)
                     low = true;
-                else if (left_ && !body_stands(*left_, at, tool))
+                else if ((left_ && !body_stands(*left_, at, tool))
+                         || (tool.before && !body_stands(*tool.before, at, tool)))
                     in_stock = true;
                 else
                     return UncutReason::Why::not_cut;
@@ -280,7 +286,8 @@ private:
 } // namespace
 
 void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Probed& probed,
-                        std::span<const VerifyProgram> programs, const Progress& progress) {
+                        const StocksBefore& before, std::span<const VerifyProgram> programs,
+                        const Progress& progress) {
     using Why = UncutReason::Why;
     v.uncut.clear();
     v.uncut_share = 0;
@@ -328,11 +335,24 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
         parallel_for(groups, 4, progress, ask);
         // What is left of the stock is many more places: only where nothing else is in the way.
         const auto fits = [](const WhyUncut& why) { return why.why == Why::not_cut; };
+        const auto ask_again = [&](std::size_t program) {
+            parallel_for(groups, 4, progress, [&](std::size_t g) {
+                if (fits(found[g]) && (program == no_program || found[g].program == program)) ask(g);
+            });
+        };
         if (v.stock && std::any_of(found.begin(), found.end(), fits)) {
             fit.stand_in(*v.stock, progress);
-            parallel_for(groups, 4, progress, [&](std::size_t g) {
-                if (fits(found[g])) ask(g);
-            });
+            ask_again(no_program);
+        }
+        // A tool that came into the stock was not kept from anywhere by it.
+        for (std::size_t i = std::min(before.size(), programs.size()); i-- > 0;) {
+            const auto its = [&](const WhyUncut& why) { return fits(why) && why.program == i; };
+            const auto touched = [&](const Collision& c) { return c.at.program == i && !c.with_part; };
+            if (std::none_of(found.begin(), found.end(), its)
+                || std::any_of(v.collisions.begin(), v.collisions.end(), touched))
+                continue;
+            fit.begin_in(i, *before[i], progress);
+            ask_again(i);
         }
     }
     for (std::size_t g = 0; g < groups; ++g)

@@ -247,7 +247,7 @@ std::string not_judged_why(const Verification& v, const SurfaceSamples& samples,
 }
 
 /// Looks at the part's surface: all of `v` that does not come from the stock.
-void compare(Verification& v, const Mesh& given, const StockSolid& stock,
+void compare(Verification& v, const Mesh& given, const StockSolid& stock, const StocksBefore& before,
              std::span<const VerifyProgram> programs, const Radii& radii, bool spacing_asked,
              const Progress& progress) {
     const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04), v.used.open_side);
@@ -272,7 +272,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock,
     const Probed probed = probe_samples(samples, sight, stock, programs, aims, progress.part(0.15, 0.95));
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
-    find_uncut_reasons(v, samples, probed, programs, progress.part(0.95, 0.99));
+    find_uncut_reasons(v, samples, probed, before, programs, progress.part(0.95, 0.99));
     v.remarks =
         remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples, v.border.samples > 0);
     if (sides.turned_facets > 0)
@@ -379,20 +379,24 @@ VerifyWork work_of(const Mesh& part, const StockSolid& stock, std::span<const Ve
     return work;
 }
 
-/// The stock, cut by all programs in order; with `watch`, `removal` knows what it has found meanwhile.
+/// The stock, cut by all programs in order; with `before`, also what each of them begins with, as long as
+/// there is room for it, and `removal` knows what it has found meanwhile.
 std::shared_ptr<const StockModel> cut_all(const StockSolid& stock, std::span<const VerifyProgram> programs,
-                                          const VerifySettings& used, MaterialRemoval& removal, bool watch,
-                                          const Progress& progress) {
+                                          const VerifySettings& used, MaterialRemoval& removal,
+                                          StocksBefore* before, const Progress& progress) {
     const StockLattice lattice = StockLattice::over(stock.box, used.resolution);
     const double all_rays = double(lattice.rays() * sizeof(RayTile::Piece));
     if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, used); // all are kept from the start
     auto model = std::make_shared<StockModel>(stock, lattice, progress.part(0.0, 0.1));
     if (all_rays > 0.9 * double(used.max_stock_bytes))
         check_memory(double(removal.bytes_needed(*model, progress.part(0.1, 0.1))), used);
-    for (std::size_t i = 0; i < programs.size(); ++i)
-        removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, watch,
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        if (before && double(i + 1) * all_rays < double(used.max_stock_bytes))
+            before->push_back(std::make_shared<const StockModel>(*model));
+        removal.cut(*model, i, 0, programs[i].motions->motions.size(), 1, before != nullptr,
                     progress.part(0.1 + 0.9 * double(i) / double(programs.size()),
                                   0.1 + 0.9 * double(i + 1) / double(programs.size())));
+    }
     return model;
 }
 
@@ -403,7 +407,7 @@ std::shared_ptr<const StockModel> stock_after(const StockSolid& stock,
                                               const VerifySettings& settings, const Progress& progress) {
     const Prepared prepared = prepare(stock, programs, settings, progress);
     MaterialRemoval removal = removal_of(programs, prepared.used);
-    return cut_all(stock, programs, prepared.used, removal, false, progress);
+    return cut_all(stock, programs, prepared.used, removal, nullptr, progress);
 }
 
 Verification verify(const Mesh& part, const StockSolid& stock, std::span<const VerifyProgram> programs,
@@ -417,7 +421,8 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
         work.seconds > long_seconds ? " (about " + duration_text(work.seconds) + " in all)" : "";
     auto start = std::chrono::steady_clock::now();
     MaterialRemoval removal = removal_of(programs, v.used);
-    v.stock = cut_all(stock, programs, v.used, removal, true,
+    StocksBefore before;
+    v.stock = cut_all(stock, programs, v.used, removal, &before,
                       progress.part(0.0, 0.6, "Removing material" + long_work));
     v.collisions = removal.collisions();
     for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -427,7 +432,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    compare(v, part, stock, programs, prepared.radii, settings.sample_spacing > 0,
+    compare(v, part, stock, before, programs, prepared.radii, settings.sample_spacing > 0,
             progress.part(0.6, 0.9, "Comparing with the part"));
     merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(0.9, 0.92)));
     if (settings.look_for_pieces)

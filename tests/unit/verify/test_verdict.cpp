@@ -414,6 +414,44 @@ private slots:
                  qPrintable(QString("%1 and %2").arg(w.uncut_share).arg(v.uncut_share)));
     }
 
+    /// What stands in the end is in no shank's way, but what stood when the program began was: it is told,
+    /// unless the tool went into it all the same.
+    void what_the_stock_kept_off() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 12;
+        Tool tool = flat_tool(4), longer = tool;
+        tool.flute_length = 5;
+        tool.shank_diameter = 4;
+        tool.shank_length = 40;
+        longer.flute_length = 20;
+        const auto finish = [&](double z) {
+            VerifyProgram p = lines(tool, Vec2(-30, -20), Vec2(30, -18), z, 2);
+            p.name = "Finish";
+            return p;
+        };
+        VerifyProgram rough = lines(longer, Vec2(-30, -20), Vec2(30, 20), 0.5, 2);
+        rough.name = "Rough";
+        rough.leaves = 0.6;
+        const auto judge = [&](const VerifyProgram& first, const VerifyProgram& second) {
+            const std::array<VerifyProgram, 2> programs{first, second};
+            return verify(part, stock, programs, asked(), Progress());
+        };
+        const Verification before = judge(finish(8), rough);
+        QVERIFY(before.collisions.empty());
+        const UncutReason *beside = reason(before, UncutReason::Why::stock),
+                          *free = reason(before, UncutReason::Why::not_cut);
+        QVERIFY(beside && beside->counts() && beside->program == "Finish");
+        // From beside the block the tool comes to its rim.
+        QVERIFY2(!free || free->area < 0.05 * beside->area,
+                 qPrintable(QString("%1 and %2").arg(free ? free->area : 0).arg(beside->area)));
+        const Verification after = judge(rough, finish(8));
+        QVERIFY(reason(after, UncutReason::Why::not_cut) && !reason(after, UncutReason::Why::stock));
+        const Verification through = judge(finish(4), rough);
+        QVERIFY(!through.collisions.empty());
+        QVERIFY(reason(through, UncutReason::Why::not_cut) && !reason(through, UncutReason::Why::stock));
+    }
+
     /// A ball that is kept above the bottom of the stock leaves the lower end of a steep side, which it would
     /// cut from farther down; when it goes down there itself that is no reason.
     void what_the_bottom_keeps_off() {
