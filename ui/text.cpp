@@ -58,7 +58,8 @@ QString number_text(double value, int digits) {
 QString in_user_numbers(const QString& text) {
     const QString mark = QLocale().decimalPoint();
     if (mark == QLatin1String(".")) return text;
-    static const QRegularExpression point(QStringLiteral("(?<![\\w.])(\\d+)\\.(\\d+)(?![\\w.]*[\\w])"));
+    static const QRegularExpression point(
+        QStringLiteral("(?<![\\w.])(\\d+)\\.(\\d+)(?=(?:e[-+]?\\d+)?(?![\\w.]*\\w))"));
     static const QRegularExpression between(QStringLiteral("(?<=\\d), (?=[-−]?\\d)"));
     QString own = text;
     if (mark == QLatin1String(",")) own.replace(between, QStringLiteral("; "));

@@ -125,6 +125,7 @@ bool has_long_count(const QString& message) {
 }
 
 std::optional<QString> sentence_of(const QString& message, int depth);
+QString place_names(const QString& where);
 
 /// Letters of a message that are the catalogue's; 0 where it does not know it.
 qsizetype known_letters(const QString& message) {
@@ -145,7 +146,7 @@ QString place_said(const QString& filled, int depth) {
         known += known_letters(part);
     if (parts.size() < 2 || known <= known_letters(filled)) {
         if (auto message = sentence_of(filled, depth)) return *message;
-        if (parts.size() < 2) return in_user_numbers(filled);
+        if (parts.size() < 2) return in_user_numbers(place_names(filled)); // "Rough (1 of 2): Valley 3"
     }
     for (QString& part : parts)
         part = place_said(part, depth + 1);

@@ -165,6 +165,13 @@ private slots:
         QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
     }
 
+    void stages_of_operations_are_said() {
+        ui::speak(QStringLiteral("de"));
+        const QString said = ui::worded("Valleys (1 of 2): Valleys: linking");
+        QVERIFY2(said.startsWith(QStringLiteral("Valleys (1 von 2): Valleys: ")), qPrintable(said));
+        QVERIFY2(!said.contains(QStringLiteral("linking")), qPrintable(said));
+    }
+
     void large_counts_in_messages_have_gaps() {
         const QString message =
             QStringLiteral("machine 'M12345' does not hold 779670 of 780152 motions as planned: "
@@ -204,6 +211,7 @@ private slots:
             QVERIFY_EXCEPTION_THROWN(read(unclear), Error);
         QCOMPARE(ui::in_user_numbers(QStringLiteral("G54.1, v0.1.0: 2.5, 3.5 mm, part2.5.stl")),
                  QStringLiteral("G54.1, v0.1.0: 2,5; 3,5 mm, part2.5.stl"));
+        QCOMPARE(ui::in_user_numbers(QStringLiteral("1.25e-06, 2.5e3x")), QStringLiteral("1,25e-06; 2.5e3x"));
         QCOMPARE(ui::with_lengths_in(QStringLiteral("um bis zu 25,4 mm"), LengthUnit::inch),
                  QStringLiteral("um bis zu 1 in"));
         ui::speak(QStringLiteral("en"));
