@@ -56,7 +56,7 @@ target_link_options(facetmill_options INTERFACE
 # its wings.
 set(FACETMILL_ROOMS base mesh repair cutter setup tools gouge cspace
     strategy/plan strategy/surface strategy/finish3 strategy/waterline strategy/steep_shallow strategy/rough strategy/five_axis strategy/global_local
-    strategy/cleanup strategy/curves strategy/lathe
+    strategy/cleanup strategy/curves strategy/lathe strategy/preview
     link verify output job study)
 
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be

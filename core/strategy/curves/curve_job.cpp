@@ -22,6 +22,8 @@ double left_on_level(const CutterCover& cover, double apart) {
     return cover.ray_entry(Vec3(0.5 * apart, 0, 0), up, Vec3::Zero(), 4 * cover.radius());
 }
 
+} // namespace
+
 double level_step_of(const CutterCover& cover, double cusp) {
     double lo = 0, hi = 2 * cover.radius();
     constexpr int halvings = 40;
@@ -31,8 +33,6 @@ double level_step_of(const CutterCover& cover, double cusp) {
     }
     return lo;
 }
-
-} // namespace
 
 ParameterInfo curve_stepover_parameter() {
     ParameterInfo info = stepover_parameter();

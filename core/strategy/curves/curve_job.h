@@ -47,6 +47,10 @@ void add_stepover_parameter(ParameterTable<S>& table) {
     table.add(static_cast<NumberOrWord S::*>(&CurveCommon::stepover), curve_stepover_parameter());
 }
 
+/// How far apart two passes on a level plane may be that leave no more than `cusp`; no more than the cutter's
+/// diameter.
+double level_step_of(const CutterCover& cover, double cusp);
+
 /// What a plan is made with.
 class CurveJob {
 public:

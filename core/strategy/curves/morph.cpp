@@ -113,42 +113,6 @@ private:
     BoxTree tree_;
 };
 
-/// The two halves of a closed curve between where it reaches farthest along a direction and against it.
-std::array<PlanCurve, 2> halves_of(const PlanCurve& outline, const Vec2& along) {
-    std::size_t low = 0, high = 0;
-    for (std::size_t i = 0; i < outline.points.size(); ++i) {
-        if (outline.points[i].dot(along) < outline.points[low].dot(along)) low = i;
-        if (outline.points[i].dot(along) > outline.points[high].dot(along)) high = i;
-    }
-    const auto from_to = [&](std::size_t a, std::size_t b) {
-        PlanCurve half{{outline.points[a]}, false};
-        for (std::size_t i = a; i != b;) {
-            i = (i + 1) % outline.points.size();
-            half.points.push_back(outline.points[i]);
-        }
-        return half;
-    };
-    return {from_to(low, high), reversed(from_to(high, low))};
-}
-
-/// The longest of a boundary's curves.
-PlanCurve longest(const std::vector<PlanCurve>& curves) {
-    const PlanCurve* best = &curves.front();
-    for (const PlanCurve& c : curves)
-        if (CurveCourse(c).length() > CurveCourse(*best).length()) best = &c;
-    return *best;
-}
-
-/// A closed curve that begins at its place nearest to p.
-PlanCurve begun_near(const PlanCurve& curve, const Vec2& p) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < curve.points.size(); ++i)
-        if ((curve.points[i] - p).norm() < (curve.points[nearest] - p).norm()) nearest = i;
-    PlanCurve begun = curve;
-    std::rotate(begun.points.begin(), begun.points.begin() + std::ptrdiff_t(nearest), begun.points.end());
-    return begun;
-}
-
 class MorphPlanner {
 public:
     MorphPlanner(const MorphSettings& settings, const PlanContext& context)
@@ -194,14 +158,14 @@ private:
         if (settings_.first_curve.empty()) {
             const double angle = travel_direction(settings_.direction, context_, progress.part(0, 0.5));
             const PlanCurve outline =
-                longest(followed_curves(context_, context_.curves.size(), false, progress));
+                longest_of(followed_curves(context_, context_.curves.size(), false, progress));
             // As far about it as the tip goes where it touches the border.
             const auto around = curves_beside(outline, -ends_radii * radius, 0.01 * radius, progress);
-            const bool whole = !around.empty() && longest(around).closed;
-            return halves_of(whole ? longest(around) : outline, Vec2(std::cos(angle), std::sin(angle)));
+            const bool whole = !around.empty() && longest_of(around).closed;
+            return halves_of(whole ? longest_of(around) : outline, Vec2(std::cos(angle), std::sin(angle)));
         }
-        PlanCurve a = longest(followed_curves(context_, 0, settings_.open, progress)),
-                  b = longest(followed_curves(context_, 1, settings_.open, progress));
+        PlanCurve a = longest_of(followed_curves(context_, 0, settings_.open, progress)),
+                  b = longest_of(followed_curves(context_, 1, settings_.open, progress));
         if (a.closed != b.closed) a.closed = b.closed = false;
         if (a.closed) {
             b = begun_near(b, a.points.front());

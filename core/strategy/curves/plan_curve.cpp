@@ -288,6 +288,37 @@ LineDistance::Near LineDistance::near(const Vec2& p) const {
     return found;
 }
 
+PlanCurve longest_of(const std::vector<PlanCurve>& curves) {
+    const PlanCurve* best = &curves.front();
+    for (const PlanCurve& c : curves)
+        if (CurveCourse(c).length() > CurveCourse(*best).length()) best = &c;
+    return *best;
+}
+
+PlanCurve begun_near(PlanCurve curve, const Vec2& p) {
+    const auto nearest = std::ranges::min_element(
+        curve.points, [&](const Vec2& a, const Vec2& b) { return (a - p).norm() < (b - p).norm(); });
+    std::rotate(curve.points.begin(), nearest, curve.points.end());
+    return curve;
+}
+
+std::array<PlanCurve, 2> halves_of(const PlanCurve& outline, const Vec2& along) {
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 0; i < outline.points.size(); ++i) {
+        if (outline.points[i].dot(along) < outline.points[low].dot(along)) low = i;
+        if (outline.points[i].dot(along) > outline.points[high].dot(along)) high = i;
+    }
+    const auto from_to = [&](std::size_t a, std::size_t b) {
+        PlanCurve half{{outline.points[a]}, false};
+        for (std::size_t i = a; i != b;) {
+            i = (i + 1) % outline.points.size();
+            half.points.push_back(outline.points[i]);
+        }
+        return half;
+    };
+    return {from_to(low, high), reversed(from_to(high, low))};
+}
+
 std::vector<PlanCurve> curves_beside(const PlanCurve& curve, double left, double detail,
                                      const Progress& progress) {
     if (left == 0) return {curve};

@@ -6,6 +6,7 @@
 #include "core/strategy/plan/operation.h"
 #include "core/strategy/surface/plan_region.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -64,6 +65,14 @@ private:
     const PlanLine& line_;
     BoxTree tree_;
 };
+
+/// The longest of some.
+PlanCurve longest_of(const std::vector<PlanCurve>& curves);
+/// A closed curve that begins at its corner nearest to p.
+PlanCurve begun_near(PlanCurve curve, const Vec2& p);
+/// The two halves of a closed curve, between where it reaches farthest against a direction and along it; both
+/// run along.
+std::array<PlanCurve, 2> halves_of(const PlanCurve& outline, const Vec2& along);
 
 /// What runs `left` to the left of a curve (to the right below 0), nowhere nearer to it: pieces of one that
 /// bends more sharply than that. Round corners to `detail`. None where nothing of it is left.
