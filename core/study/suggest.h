@@ -1,0 +1,48 @@
+// Suggestions: which finishing operation serves a part best, with the tools of its project. Every candidate
+// is planned and judged as candidates of a study are (evaluation.h): all of them planned, the quickest half
+// of those judged coarsely. What is wanted is little time and little left, on all of the part that is to be
+// finished; who is surpassed in both by another is none of the best.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/job/planner.h"
+#include "core/study/halving.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facetmill {
+
+struct Suggestion {
+    std::shared_ptr<const Operation> operation; ///< as new_operation makes it, with a name of its kind
+    std::string tool;                           ///< "T2 Ball 6 mm"
+    double seconds = 0;                         ///< of the operation alone
+    RungResult result; ///< of the project with it in place of its finishing operations
+};
+
+/// What is known of the part that candidates were asked for.
+struct SuggestedPart {
+    double steep_share = 0; ///< of what faces up, by area, is steeper than `steep`
+    double steep = radians(40);
+    double allowed = 0; ///< tolerance of the candidates, mm
+};
+
+struct Suggestions {
+    std::vector<Suggestion> best; ///< at most three, the first to be preferred
+    std::size_t looked_at = 0;    ///< candidates
+    SuggestedPart part;
+    /// Candidates that cannot be: the operation's name, and why.
+    std::vector<std::pair<std::string, std::string>> refused;
+};
+
+/// Operations that a suggestion may be, of the project's shown setup, with all that new_operation gives them:
+/// every finishing kind that its machine can run and that needs no curve, with the tool that a new operation
+/// has and with the largest round-nosed one.
+std::vector<std::shared_ptr<const Operation>> suggestable(const Project& project);
+
+/// For the shown setup. The project's roughing goes before each candidate, its other operations are left out.
+/// Throws what `evaluate` does; Error(empty_result) where no candidate passes, with the reason of the first.
+Suggestions suggest(const Project& project, const PreparedPart& part, const Progress& progress);
+
+} // namespace facetmill
