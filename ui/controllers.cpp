@@ -15,6 +15,7 @@
 #include "ui/path_controller.h"
 #include "ui/place_controller.h"
 #include "ui/point_picker.h"
+#include "ui/preview_controller.h"
 #include "ui/properties_panel.h"
 #include "ui/region_controller.h"
 #include "ui/repair_button.h"
@@ -22,13 +23,18 @@
 #include "ui/rough_controller.h"
 #include "ui/same_place.h"
 #include "ui/scan_controller.h"
+#include "ui/strategy_pictures.h"
 #include "ui/strip_controller.h"
 #include "ui/study_controller.h"
+#include "ui/suggest_controller.h"
 #include "ui/text.h"
 #include "ui/tool_controller.h"
 #include "ui/unrolled_controller.h"
 #include "ui/verification_controller.h"
 #include "ui/viewport.h"
+
+#include <QMenu>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -55,6 +61,7 @@ void Controllers::build(const Parts& p, QWidget* window) {
     verification_ = new VerificationController(p.document, p.viewport, p.layers, p.job, window);
     rough_ = new RoughController(p.document, p.viewport, window);
     divide_ = new DivideController(p.document, p.viewport, window);
+    preview_ = new PreviewController(p.document, p.viewport, p.layers, window);
     regions_ = new RegionController(p.document, p.viewport, window);
     inspection_ = new InspectionController(p.document, p.viewport, p.layers, window);
     unrolled_ = new UnrolledController(p.document, window);
@@ -89,12 +96,19 @@ void Controllers::build(const Parts& p, QWidget* window) {
     p.tree.tree()->addAction(scan_->open_action());
     connect(p.properties.repair_button(), &RepairButton::clicked, scan_, &ScanController::open);
     study_ = new StudyController(p.document, verification_->model(), window);
+    auto* pictures = new StrategyPictures(
+        p.document,
+        {p.tree.add_operation_menu(), p.tree.findChild<QToolButton*>(QStringLiteral("add"))->menu()}, window);
+    suggest_ = new SuggestController(p.document, window);
+    connect(suggest_, &SuggestController::added, this, [&tree = p.tree](std::size_t operation) {
+        tree.select({TreeNode::Kind::operation, operation});
+    });
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
-    all_ = {measure_,    picker,    boundaries, verification_, rough_,  divide_, regions_,
-            inspection_, unrolled_, cspace_,    tool_,         strips_, part_,   fixtures,
-            inputs_,     place_,    scan_,      study_,        paths_,  kept_,   same_place};
+    all_ = {measure_,    picker,    boundaries, verification_, rough_,   divide_, preview_, regions_,
+            inspection_, unrolled_, cspace_,    tool_,         strips_,  part_,   fixtures, inputs_,
+            place_,      scan_,     study_,     suggest_,      pictures, paths_,  kept_,    same_place};
 }
 
 void Controllers::connect_document(const Document& document) {

@@ -28,6 +28,7 @@ class Messages;
 class PartController;
 class PathController;
 class PlaceController;
+class PreviewController;
 class PropertiesPanel;
 class RegionController;
 class RoughController;
@@ -35,6 +36,7 @@ class ScanController;
 class StatusLine;
 class StripController;
 class StudyController;
+class SuggestController;
 class ToolController;
 class UnrolledController;
 class VerificationController;
@@ -74,6 +76,7 @@ public:
     KeptPlans& kept() { return *kept_; }
     ScanController& scan() { return *scan_; }
     StudyController& study() { return *study_; }
+    SuggestController& suggest() { return *suggest_; }
 
     /// Calls a function of every controller.
     template <class Function, class... Arguments>
@@ -119,6 +122,8 @@ private:
     QString remark_;               ///< of the part that was opened last
     QString verdict_said_;         ///< in the bar
     std::vector<Controller*> all_; ///< in the order in which they are told
+    PreviewController* preview_ = nullptr;
+    SuggestController* suggest_ = nullptr;
 };
 
 } // namespace facetmill::ui

@@ -55,6 +55,9 @@ constexpr Entry entries[] = {
      QT_TRANSLATE_NOOP("LayerBar", "The tool at the picked point of the path")},
     {ViewLayer::others, "others", QT_TRANSLATE_NOOP("LayerBar", "Others"),
      QT_TRANSLATE_NOOP("LayerBar", "The paths of all operations, not that of the chosen one alone")},
+    {ViewLayer::preview, "preview", QT_TRANSLATE_NOOP("LayerBar", "Preview"),
+     QT_TRANSLATE_NOOP("LayerBar",
+                       "How the passes of the chosen operation will about run, until it is planned")},
 };
 
 /// Margins and gaps of the row.
@@ -109,6 +112,13 @@ QStringList layer_names(const LayerSet& layers) {
     QStringList names;
     for (const Entry& e : entries)
         if (layers.contains(e.layer)) names << QLatin1String(e.name);
+    return names;
+}
+
+QStringList all_layer_names() {
+    QStringList names;
+    for (const Entry& e : entries)
+        names << QLatin1String(e.name);
     return names;
 }
 
@@ -254,6 +264,7 @@ void LayerBar::apply(Scene& scene) const {
     scene.set_visible(Layer::stock, shown(ViewLayer::stock));
     scene.set_visible(Layer::deviation, shown(ViewLayer::deviation));
     scene.set_visible(Layer::findings, shown(ViewLayer::deviation));
+    scene.preview().set_visible(shown(ViewLayer::preview));
     scene.set_visible(Layer::strips, shown(ViewLayer::regions));
     scene.set_visible(Layer::cc, shown(ViewLayer::cc));
     scene.set_visible(Layer::tool, shown(ViewLayer::tool));

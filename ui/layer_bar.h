@@ -23,12 +23,26 @@ namespace facetmill::ui {
 
 /// What a user tells apart: the scene's layers, with the motions of a path split by kind; `others`: paths of
 /// operations beside the chosen one.
-enum class ViewLayer { part, edges, stock, deviation, regions, cc, cuts, links, rapids, tool, others };
+enum class ViewLayer {
+    part,
+    edges,
+    stock,
+    deviation,
+    regions,
+    cc,
+    cuts,
+    links,
+    rapids,
+    tool,
+    others,
+    preview
+};
 
 using LayerSet = std::set<ViewLayer>;
 /// For settings; names that are not known are passed over.
 QStringList layer_names(const LayerSet& layers);
 LayerSet layers_named(const QStringList& names);
+QStringList all_layer_names();
 
 class ScaleStrip;
 

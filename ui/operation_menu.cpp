@@ -142,6 +142,7 @@ QMenu* operation_menu(QWidget* parent, const std::function<void(const std::strin
     for (const OperationKind& kind : kinds_in_order()) {
         QAction* entry = menu->addAction(operation_picture(kind.kind), operation_label(kind.kind), parent,
                                          [add, name = kind.kind] { add(name); });
+        entry->setData(text(kind.kind));
         entry->setToolTip(operation_words(kind.kind));
     }
     return menu;

@@ -170,6 +170,20 @@ void set_shown_layers(const QString& workspace, const QStringList& names) {
     QSettings().setValue(QStringLiteral("layers/") + workspace, names);
 }
 
+QStringList known_layers() {
+    const QVariant value = QSettings().value(QStringLiteral("known_layers"));
+    return value.isValid()
+               ? value.toStringList()
+               : QStringList{QStringLiteral("part"),      QStringLiteral("edges"),   QStringLiteral("stock"),
+                             QStringLiteral("deviation"), QStringLiteral("regions"), QStringLiteral("cc"),
+                             QStringLiteral("cuts"),      QStringLiteral("links"),   QStringLiteral("rapids"),
+                             QStringLiteral("tool"),      QStringLiteral("others")};
+}
+
+void set_known_layers(const QStringList& names) {
+    QSettings().setValue(QStringLiteral("known_layers"), names);
+}
+
 QByteArray window_geometry() {
     return QSettings().value(QStringLiteral("window/geometry")).toByteArray();
 }

@@ -68,6 +68,9 @@ void set_last_folder(const QString& folder);
 /// Names of the layers that are shown in a workspace; nothing before the first time.
 std::optional<QStringList> shown_layers(const QString& workspace);
 void set_shown_layers(const QString& workspace, const QStringList& names);
+/// The layers that there were when they were kept; before the preview of passes these were not kept.
+QStringList known_layers();
+void set_known_layers(const QStringList& names);
 
 QByteArray window_geometry();
 QByteArray window_state();

@@ -22,6 +22,7 @@
 #include "ui/settings.h"
 #include "ui/start_hint.h"
 #include "ui/study_controller.h"
+#include "ui/suggest_controller.h"
 #include "ui/templates.h"
 #include "ui/text.h"
 #include "ui/undo_keys.h"
@@ -210,6 +211,14 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   can_plan_all,
                   {},
                   tr("Plan what is not planned yet, and judge all setups as one job (Shift+F6)")});
+    commands.add({"suggest",
+                  tr("S&uggest an operation…"),
+                  {},
+                  {QKeySequence(Qt::Key_G)},
+                  [&w] { w.controllers().suggest().open(); },
+                  [&w] { return w.document().has_part(); },
+                  {},
+                  tr("Plan and judge finishing operations of all kinds, and suggest the three best (G)")});
     commands.add({"study",
                   tr("Stud&y…"),
                   {},

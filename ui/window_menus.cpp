@@ -110,7 +110,8 @@ std::vector<MenuTable> menus() {
                        "strips_dock", "place_dock", "scan_dock", "chart_dock", "log_dock", "tool_bar"}},
         {"plan_menu",
          tr("&Plan"),
-         {"plan", "verify", "-", "plan_all", "verify_all", "-", "study", "-", "cancel", "-", "export"}},
+         {"plan", "verify", "-", "plan_all", "verify_all", "-", "suggest", "study", "-", "cancel", "-",
+          "export"}},
         {"help_menu", tr("&Help"), {"manual", "first_job", "first_steps", "keys", "about"}}};
 }
 

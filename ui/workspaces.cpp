@@ -24,13 +24,13 @@ const Entry entries[] = {
      "prepare",
      QT_TRANSLATE_NOOP("Workspaces", "Prepare"),
      QT_TRANSLATE_NOOP("Workspaces", "The part as it lies, its stock and fixtures (F7)"),
-     {ViewLayer::part, ViewLayer::stock}},
+     {ViewLayer::part, ViewLayer::stock, ViewLayer::preview}},
     {Workspace::plan,
      "plan",
      QT_TRANSLATE_NOOP("Workspaces", "Plan"),
      QT_TRANSLATE_NOOP("Workspaces", "The paths on the part (F8)"),
-     {ViewLayer::part, ViewLayer::regions, ViewLayer::cuts, ViewLayer::links, ViewLayer::rapids,
-      ViewLayer::tool}},
+     {ViewLayer::part, ViewLayer::preview, ViewLayer::regions, ViewLayer::cuts, ViewLayer::links,
+      ViewLayer::rapids, ViewLayer::tool}},
     {Workspace::verify,
      "verify",
      QT_TRANSLATE_NOOP("Workspaces", "Verify"),
@@ -61,9 +61,14 @@ Workspaces::Workspaces(LayerBar& layers, const std::vector<QWidget*>& operation_
                        QWidget* parent)
     : QWidget(parent), layers_(layers), playback_(playback_bar) {
     setObjectName(QStringLiteral("workspaces"));
+    const LayerSet known = layers_named(settings::known_layers());
     for (const Entry& e : entries) {
         const auto kept = settings::shown_layers(QLatin1String(e.name));
-        shown_[std::size_t(e.workspace)] = kept ? layers_named(*kept) : e.shown;
+        LayerSet& shown = shown_[std::size_t(e.workspace)];
+        shown = kept ? layers_named(*kept) : e.shown;
+        // What an earlier version did not know is shown as at first.
+        for (const ViewLayer layer : e.shown)
+            if (kept && !known.contains(layer)) shown.insert(layer);
     }
     const auto holder = [this](const std::vector<QWidget*>& bars) {
         auto* w = new QWidget(this);
@@ -141,6 +146,7 @@ bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Workspaces::keep_layers() const {
+    settings::set_known_layers(all_layer_names());
     for (const Entry& e : entries) {
         const bool here = e.workspace == current_;
         settings::set_shown_layers(

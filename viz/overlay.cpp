@@ -243,6 +243,8 @@ void Overlay::draw_legend_entry(const LegendEntry& e, double x0, double y, const
     case LegendEntry::Sample::surface:
         canvas_.rectangle(x0, y - 6, x1, y + 6, e.color);
         break;
+    case LegendEntry::Sample::none: // goes on from the entry above
+        break;
     }
     canvas_.write({x1 + gap, y, OverlayText::Align::left, e.label, text_size, false, colors.text});
 }

@@ -24,7 +24,7 @@ struct LayoutRect {
 };
 
 struct LegendEntry {
-    enum class Sample { line, dashes, dot, spot, box, surface };
+    enum class Sample { line, dashes, dot, spot, box, surface, none };
     Sample sample = Sample::line;
     Rgb color;
     double width = 1; ///< width of a line, layout pixels

@@ -84,6 +84,7 @@ constexpr Colors light{
                .holder = rgb(0x9AA7B4),
                .axis = rgb(0xC0271D)},
     .cube = {.ink = rgb(0x26323D), .body = rgb(0xF7F9FB), .edge = rgb(0x8593A1), .on_accent = white},
+    .preview = rgb(0x5B2A86),
 };
 
 constexpr Colors dark{
@@ -157,6 +158,7 @@ constexpr Colors dark{
                .holder = rgb(0x56616C),
                .axis = rgb(0xFF7B72)},
     .cube = {.ink = rgb(0xDDE3E9), .body = rgb(0x46515C), .edge = rgb(0x8A97A4), .on_accent = white},
+    .preview = rgb(0xD4B0FF),
 };
 
 constexpr FixedColors fixed{

@@ -65,6 +65,7 @@ struct Colors {
     SignalShades signal;
     ToolSketchColors sketch;
     ViewCubeColors cube;
+    Rgb preview; ///< passes before they are planned
 };
 
 const Colors& colors_of(Palette palette);

@@ -52,6 +52,7 @@ struct Scene::Impl {
     SceneFixtures fixtures{stage};
     ScenePaths paths{stage, part};
     SceneLevels levels{stage};
+    ScenePreview preview{stage};
     SceneSupport support{stage};
     SceneRepair repair{stage};
     SceneTool tool{stage};
@@ -59,9 +60,9 @@ struct Scene::Impl {
     SceneMarks marks{stage};
     SceneZero zero{stage};
     /// In the order of the legend.
-    const std::array<SceneLayer*, 15> layers{&part,     &boundaries, &former,    &repair,   &stock,
-                                             &fixtures, &levels,     &support,   &findings, &strips,
-                                             &marks,    &paths,      &deviation, &tool,     &zero};
+    const std::array<SceneLayer*, 16> layers{&part,   &boundaries, &former,  &repair,   &stock,  &fixtures,
+                                             &levels, &preview,    &support, &findings, &strips, &marks,
+                                             &paths,  &deviation,  &tool,    &zero};
     Overlay overlay{stage.renderer};
     vtkNew<vtkCallbackCommand> frame_callback;
 
@@ -318,6 +319,12 @@ SceneFindings& Scene::findings() {
 }
 SceneZero& Scene::zero() {
     return impl_->zero;
+}
+ScenePreview& Scene::preview() {
+    return impl_->preview;
+}
+const ScenePreview& Scene::preview() const {
+    return impl_->preview;
 }
 SceneSupport& Scene::support() {
     return impl_->support;

@@ -23,6 +23,7 @@
 #include "viz/scene_levels.h"
 #include "viz/scene_part.h"
 #include "viz/scene_paths.h"
+#include "viz/scene_preview.h"
 #include "viz/scene_repair.h"
 #include "viz/scene_stock.h"
 #include "viz/scene_strips.h"
@@ -62,6 +63,8 @@ public:
     const SceneDeviation& deviation() const;
     SceneFindings& findings();
     SceneLevels& levels();
+    ScenePreview& preview();
+    const ScenePreview& preview() const;
     SceneSupport& support();
     SceneRepair& repair();
     SceneZero& zero();

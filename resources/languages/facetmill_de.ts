@@ -3700,6 +3700,10 @@
         <translation>einen Quader hinzufügen, die Art Steg wählen und an seinen Platz schieben</translation>
     </message>
     <message>
+        <source>add a tool</source>
+        <translation>ein Werkzeug hinzufügen</translation>
+    </message>
+    <message>
         <source>add an operation</source>
         <translation>eine Operation hinzufügen</translation>
     </message>
@@ -3756,6 +3760,10 @@
         <translation>alles wird in parallelen Bahnen gefräst: {1}</translation>
     </message>
     <message>
+        <source>all of it lies off the part</source>
+        <translation>sie liegt ganz neben dem Teil</translation>
+    </message>
+    <message>
         <source>all of it lies off the part, as at {1}</source>
         <translation>sie liegt ganz außerhalb des Teils, etwa bei {1}</translation>
     </message>
@@ -3774,6 +3782,10 @@
     <message>
         <source>allow a larger one</source>
         <translation>eine größere erlauben</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or set a side feed</source>
+        <translation>eine größere Toleranz erlauben oder einen Seitenvorschub angeben</translation>
     </message>
     <message>
         <source>allow a larger tolerance or set a step-down</source>
@@ -4028,6 +4040,10 @@
         <translation>neben {1} von {2} Berührpunkten trägt keine Stellung den ganzen Streifen ab: er wird unter der Bahn gefräst und bleibt daneben der Restbearbeitung</translation>
     </message>
     <message>
+        <source>between its radii there is nothing</source>
+        <translation>zwischen seinen Radien liegt nichts</translation>
+    </message>
+    <message>
         <source>bottom</source>
         <translation>unten</translation>
     </message>
@@ -4156,6 +4172,10 @@
         <translation>`place` beider Aufspannungen prüfen und wo das Netz des Rohteils ist, oder die Aufspannung mit dem Rest weitermachen lassen</translation>
     </message>
     <message>
+        <source>check boundary, slopes and tool</source>
+        <translation>Begrenzung, Neigungen und Werkzeug prüfen</translation>
+    </message>
+    <message>
         <source>check commas, quotes and braces</source>
         <translation>Kommas, Anführungszeichen und Klammern prüfen</translation>
     </message>
@@ -4204,6 +4224,14 @@
         <translation>Teil, Werkzeug und Toleranz prüfen</translation>
     </message>
     <message>
+        <source>check part, tools and machine</source>
+        <translation>Teil, Werkzeuge und Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>check start, stop, chuck and tailstock</source>
+        <translation>Anfang, Ende, Futter und Reitstock prüfen</translation>
+    </message>
+    <message>
         <source>check that it is an APT CL file</source>
         <translation>prüfen, dass es eine APT-CL-Datei ist</translation>
     </message>
@@ -4214,6 +4242,10 @@
     <message>
         <source>check the axis, the core radius and where the path starts and stops</source>
         <translation>die Achse, den Kernradius und Anfang und Ende des Wegs prüfen</translation>
+    </message>
+    <message>
+        <source>check the boundary</source>
+        <translation>die Begrenzung prüfen</translation>
     </message>
     <message>
         <source>check the directions</source>
@@ -4384,6 +4416,10 @@
         <translation>größere Toleranz oder größeren Bahnabstand wählen</translation>
     </message>
     <message>
+        <source>choose a larger tool or a smaller tolerance</source>
+        <translation>ein größeres Werkzeug oder eine kleinere Toleranz wählen</translation>
+    </message>
+    <message>
         <source>choose a smaller allowance, or a larger stock</source>
         <translation>ein kleineres Aufmaß oder ein größeres Rohteil wählen</translation>
     </message>
@@ -4430,6 +4466,14 @@
     <message>
         <source>choose at most the diameter</source>
         <translation>höchstens den Durchmesser wählen</translation>
+    </message>
+    <message>
+        <source>choose one that is</source>
+        <translation>eines wählen, das darin steht</translation>
+    </message>
+    <message>
+        <source>choose other slopes</source>
+        <translation>andere Neigungen wählen</translation>
     </message>
     <message>
         <source>choose some of its objects</source>
@@ -5648,6 +5692,10 @@
         <translation>das verlangt mehr als {1} Windungen</translation>
     </message>
     <message>
+        <source>it asks for too many turns</source>
+        <translation>das verlangt zu viele Umläufe</translation>
+    </message>
+    <message>
         <source>it begins with a point</source>
         <translation>er beginnt mit einem Punkt</translation>
     </message>
@@ -5866,6 +5914,10 @@
     <message>
         <source>its tool is not in the project any more</source>
         <translation>ihr Werkzeug ist nicht mehr im Projekt</translation>
+    </message>
+    <message>
+        <source>its two curves cross or touch</source>
+        <translation>seine zwei Kurven kreuzen oder berühren sich</translation>
     </message>
     <message>
         <source>its two curves cross or touch at {1}</source>
@@ -6576,6 +6628,14 @@
         <translation>keine ihrer Flächen konnte vernetzt werden</translation>
     </message>
     <message>
+        <source>none of the operations looked at can be made: {1}: {2}</source>
+        <translation>keine der betrachteten Operationen ist möglich: {1}: {2}</translation>
+    </message>
+    <message>
+        <source>none of the operations looked at can be made{1}</source>
+        <translation>keine der betrachteten Operationen ist möglich{1}</translation>
+    </message>
+    <message>
         <source>none of the {1} facets has an area</source>
         <translation>keine der {1} Facetten hat eine Fläche</translation>
     </message>
@@ -6620,8 +6680,16 @@
         <translation>dem Kopf folgt nichts</translation>
     </message>
     <message>
+        <source>nothing has to be cleaned up, or allow less</source>
+        <translation>nichts ist nachzuarbeiten, oder weniger erlauben</translation>
+    </message>
+    <message>
         <source>nothing is cut</source>
         <translation>nichts wird gefräst</translation>
+    </message>
+    <message>
+        <source>nothing is left between its ends</source>
+        <translation>zwischen seinen Enden bleibt nichts</translation>
     </message>
     <message>
         <source>nothing is measured that is called '{1}'</source>
@@ -6648,6 +6716,14 @@
         <translation>nichts am Teil hält das Werkzeug auf seinem Weg zur Achse auf</translation>
     </message>
     <message>
+        <source>nothing of the part is as steep as asked for</source>
+        <translation>nichts am Teil ist so steil wie verlangt</translation>
+    </message>
+    <message>
+        <source>nothing of the part is to be cut</source>
+        <translation>nichts am Teil ist zu fräsen</translation>
+    </message>
+    <message>
         <source>nothing of the part lies in it</source>
         <translation>nichts vom Teil liegt darin</translation>
     </message>
@@ -6666,6 +6742,10 @@
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>vom Rohteil steht nichts über dem Teil und dem Aufmaß von {1}</translation>
+    </message>
+    <message>
+        <source>nothing runs so far to that side of it</source>
+        <translation>so weit auf dieser Seite verläuft nichts</translation>
     </message>
     <message>
         <source>nothing runs {1} to that side of it</source>
@@ -6828,6 +6908,10 @@
         <translation>Operation '{1}': {2} ginge von {3} bis {4} der Maschine, und der Verfahrweg endet vorher</translation>
     </message>
     <message>
+        <source>operations of this kind have no preview of their passes</source>
+        <translation>Operationen dieser Art haben keine Vorschau ihrer Bahnen</translation>
+    </message>
+    <message>
         <source>operations there are: {1}</source>
         <translation>vorhandene Operationen: {1}</translation>
     </message>
@@ -6948,6 +7032,14 @@
         <translation>neu planen</translation>
     </message>
     <message>
+        <source>plan the operation to see its passes</source>
+        <translation>die Operation planen, um ihre Bahnen zu sehen</translation>
+    </message>
+    <message>
+        <source>plan the operation to see why</source>
+        <translation>die Operation planen, um zu sehen, warum</translation>
+    </message>
+    <message>
         <source>plan the setups before this one</source>
         <translation>die Aufspannungen davor planen</translation>
     </message>
@@ -7022,6 +7114,10 @@
     <message>
         <source>reduce the mesh</source>
         <translation>das Netz verkleinern</translation>
+    </message>
+    <message>
+        <source>regions of rework</source>
+        <translation>Nacharbeitsbereiche</translation>
     </message>
     <message>
         <source>remove its operations instead</source>
@@ -7352,6 +7448,10 @@
         <translation>Streifen</translation>
     </message>
     <message>
+        <source>strips around what operations before left</source>
+        <translation>Streifen um das, was frühere Operationen ließen</translation>
+    </message>
+    <message>
         <source>switch it on (off: false)</source>
         <translation>sie einschalten (off: false)</translation>
     </message>
@@ -7600,6 +7700,10 @@
         <translation>der Fräser lässt mehr als die Toleranz: einen kleineren Bahnabstand oder ein kleineres Werkzeug nehmen</translation>
     </message>
     <message>
+        <source>the cutter touches no two flanks of a valley that it leaves</source>
+        <translation>der Fräser berührt nirgends zwei Flanken eines Tals, in dem er etwas lässt</translation>
+    </message>
+    <message>
         <source>the cutter touches the part nowhere at two places between which it leaves more than the tolerance</source>
         <translation>der Fräser berührt das Teil nirgends an zwei Stellen, zwischen denen er mehr als die Toleranz lässt</translation>
     </message>
@@ -7626,6 +7730,10 @@
     <message>
         <source>the depth of cut asks for more than {1} passes</source>
         <translation>die Schnitttiefe verlangt mehr als {1} Bahnen</translation>
+    </message>
+    <message>
+        <source>the depth of cut asks for too many passes</source>
+        <translation>die Schnitttiefe verlangt zu viele Bahnen</translation>
     </message>
     <message>
         <source>the depth of cut of {1} is more than the {2} that stand above the part: one pass takes all</source>
@@ -8128,8 +8236,20 @@
         <translation>das Teil an anderer Stelle ist dem Fräser im Weg: dort ein kleineres oder längeres Werkzeug nehmen, oder weitere Grenzen</translation>
     </message>
     <message>
+        <source>the part has no extent along the turning axis</source>
+        <translation>das Teil hat längs der Drehachse keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>the part has no extent seen along the tool axis</source>
+        <translation>das Teil hat, längs der Werkzeugachse gesehen, keine Ausdehnung</translation>
+    </message>
+    <message>
         <source>the part has no facets</source>
         <translation>das Teil hat keine Facetten</translation>
+    </message>
+    <message>
+        <source>the part has {1} facets: passes are previewed up to {2}</source>
+        <translation>das Teil hat {1} Facetten: eine Vorschau gibt es bis {2}</translation>
     </message>
     <message>
         <source>the part is in the cutter's way by every axis; use a smaller or longer tool, or turn the part</source>
@@ -8256,6 +8376,18 @@
         <translation>die für {1} festgehaltene Stellung wird nicht verwendet: keine Bahn kommt dorthin</translation>
     </message>
     <message>
+        <source>the preview found nothing to cut</source>
+        <translation>die Vorschau fand nichts zu fräsen</translation>
+    </message>
+    <message>
+        <source>the previous tool is not in the list</source>
+        <translation>das vorige Werkzeug steht nicht in der Liste</translation>
+    </message>
+    <message>
+        <source>the previous tool leaves nothing above the tolerance</source>
+        <translation>das vorige Werkzeug lässt nichts über der Toleranz</translation>
+    </message>
+    <message>
         <source>the profile has too many pieces</source>
         <translation>das Profil hat zu viele Stücke</translation>
     </message>
@@ -8298,6 +8430,10 @@
     <message>
         <source>the project has no tool {1}</source>
         <translation>das Projekt hat kein Werkzeug {1}</translation>
+    </message>
+    <message>
+        <source>the project has no tools</source>
+        <translation>das Projekt hat keine Werkzeuge</translation>
     </message>
     <message>
         <source>the project has no tools: add one</source>
@@ -8526,6 +8662,10 @@
     <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
         <translation>im Text einer ASCII-STL-Datei stehen binäre Bytes</translation>
+    </message>
+    <message>
+        <source>the tilt of the tool</source>
+        <translation>die Neigung des Werkzeugs</translation>
     </message>
     <message>
         <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
@@ -9224,6 +9364,14 @@
         <translation>das Teil drehen</translation>
     </message>
     <message>
+        <source>turn the part or choose another axis</source>
+        <translation>das Teil drehen oder eine andere Achse wählen</translation>
+    </message>
+    <message>
+        <source>turn the part or choose another tool axis</source>
+        <translation>das Teil drehen oder eine andere Werkzeugachse wählen</translation>
+    </message>
+    <message>
         <source>turned by {1}</source>
         <translation>gedreht um {1}</translation>
     </message>
@@ -9510,6 +9658,10 @@
     <message>
         <source>what lies between the curves folds over, as at {1}</source>
         <translation>was zwischen den Kurven liegt, faltet sich, etwa bei {1}</translation>
+    </message>
+    <message>
+        <source>what operations before have cut</source>
+        <translation>was frühere Operationen abgetragen haben</translation>
     </message>
     <message>
         <source>what setup '{1}' left</source>
@@ -10515,6 +10667,18 @@
         <translation>%1 % der Fläche</translation>
     </message>
     <message>
+        <source>%1 % of the surface is no steeper than %2°: passes side by side lie far apart there</source>
+        <translation>%1 % der Fläche sind nicht steiler als %2°: dort liegen Bahnen nebeneinander weit auseinander</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is steeper than %2°: levels go round it</source>
+        <translation>%1 % der Fläche sind steiler als %2°: Höhenlinien laufen darum</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is steeper than %2°: levels there leave less, passes side by side cut the rest</source>
+        <translation>%1 % der Fläche sind steiler als %2°: Höhenlinien lassen dort weniger, Bahnen nebeneinander fräsen den Rest</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -10713,6 +10877,10 @@
     <message numerus="yes">
         <source>%1 tools</source>
         <translation><numerusform>%1 Werkzeug</numerusform><numerusform>%1 Werkzeuge</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 was added to the project. Undo takes it away.</source>
+        <translation>%1 wurde ins Projekt aufgenommen. Rückgängig nimmt es wieder heraus.</translation>
     </message>
     <message>
         <source>%1 wide, %2 long</source>
@@ -11031,6 +11199,10 @@
         <translation>&amp;Rohteil…</translation>
     </message>
     <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
         <source>&amp;Tilt from upright</source>
         <translation>&amp;Neigung zur Senkrechten</translation>
     </message>
@@ -11247,6 +11419,10 @@
         <translation>A+</translation>
     </message>
     <message>
+        <source>About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut</source>
+        <translation>Etwa %1; lässt auf 99 % der Fläche höchstens %2 und davon %3 % ungefräst</translation>
+    </message>
+    <message>
         <source>About Facetmill</source>
         <translation>Über Facetmill</translation>
     </message>
@@ -11257,6 +11433,14 @@
     <message>
         <source>Add</source>
         <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add &amp;%1</source>
+        <translation>&amp;%1 hinzufügen</translation>
     </message>
     <message>
         <source>Add a material</source>
@@ -11297,6 +11481,10 @@
     <message>
         <source>Add setup</source>
         <translation>Aufspannung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add this operation to the project; undo takes it away again</source>
+        <translation>Diese Operation ins Projekt aufnehmen; Rückgängig nimmt sie wieder heraus</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -11369,6 +11557,10 @@
     <message>
         <source>All setups are planned.</source>
         <translation>Alle Aufspannungen sind geplant.</translation>
+    </message>
+    <message>
+        <source>Alone it does not pass the verification: %1</source>
+        <translation>Allein besteht sie die Prüfung nicht: %1</translation>
     </message>
     <message>
         <source>Along the axis (%1)</source>
@@ -12042,6 +12234,10 @@ unten</translation>
     <message>
         <source>Draw curve</source>
         <translation>Kurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Drawing operations</source>
+        <translation>Operationen werden gezeichnet</translation>
     </message>
     <message>
         <source>Drawing regions</source>
@@ -12723,6 +12919,10 @@ bei</translation>
         <translation>Wie weit der Tisch gekippt werden darf, bevor das Teil fällt</translation>
     </message>
     <message>
+        <source>How the passes of the chosen operation will about run, until it is planned</source>
+        <translation>Wie die Bahnen der gewählten Operation etwa verlaufen werden, bis sie geplant ist</translation>
+    </message>
+    <message>
         <source>Import tools</source>
         <translation>Werkzeuge importieren</translation>
     </message>
@@ -12887,6 +13087,10 @@ bei</translation>
         <translation>Aus Plan, Prüfung und Programmen lassen, als gäbe es sie nicht</translation>
     </message>
     <message>
+        <source>Leaves least of these</source>
+        <translation>Lässt von diesen am wenigsten</translation>
+    </message>
+    <message>
         <source>Left end: all layers; then one layer alone, from the top down</source>
         <translation>Linkes Ende: alle Ebenen; dann eine allein, von oben nach unten</translation>
     </message>
@@ -12941,6 +13145,14 @@ auf, %1</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
+        <source>Look &amp;again</source>
+        <translation>Noch ein&amp;mal suchen</translation>
+    </message>
+    <message>
+        <source>Look for suggestions once more, for the project as it is now</source>
+        <translation>Noch einmal nach Vorschlägen suchen, für das Projekt, wie es jetzt ist</translation>
+    </message>
+    <message>
         <source>Looked at</source>
         <translation>Angesehen</translation>
     </message>
@@ -12979,6 +13191,10 @@ auf, %1</translation>
     <message>
         <source>Looking for holes, pieces and other flaws…</source>
         <translation>Löcher, Stücke und andere Mängel werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Looking for suggestions</source>
+        <translation>Vorschläge werden gesucht</translation>
     </message>
     <message>
         <source>Looking for the face</source>
@@ -13273,6 +13489,10 @@ auf, %1</translation>
         <translation>Keine Stellung ist frei: der Punkt bleibt der Restbearbeitung</translation>
     </message>
     <message>
+        <source>No preview</source>
+        <translation>Keine Vorschau</translation>
+    </message>
+    <message>
         <source>No step yet: the file is taken as it is. Suggest makes a recipe for what was found; Add takes single steps.</source>
         <translation>Noch kein Schritt: die Datei wird genommen, wie sie ist. Vorschlagen macht ein Rezept für das Gefundene; Hinzufügen nimmt einzelne Schritte.</translation>
     </message>
@@ -13477,6 +13697,10 @@ auf, %1</translation>
         <translation>Eine Bahn, die sich um einen Mittelpunkt windet, für Rundes</translation>
     </message>
     <message>
+        <source>One pass that winds over the part needs few links</source>
+        <translation>Eine Bahn, die sich über das Teil windet, braucht wenige Verbindungen</translation>
+    </message>
+    <message>
         <source>Only what is cut up to “%1” has been verified.</source>
         <translation>Geprüft ist nur, was bis „%1“ gefräst wird.</translation>
     </message>
@@ -13677,8 +13901,16 @@ auf, %1</translation>
         <translation>Bahnen</translation>
     </message>
     <message>
+        <source>Passes follow the part's outline</source>
+        <translation>Die Bahnen folgen dem Umriss des Teils</translation>
+    </message>
+    <message>
         <source>Passes from a centre outward, like the spokes of a wheel</source>
         <translation>Bahnen von einem Mittelpunkt nach außen, wie die Speichen eines Rads</translation>
+    </message>
+    <message>
+        <source>Passes from the middle outward meet its rims head on</source>
+        <translation>Bahnen von der Mitte nach außen treffen seine Ränder gerade</translation>
     </message>
     <message>
         <source>Passes side by side over the surface, with an upright tool</source>
@@ -13777,6 +14009,10 @@ auf, %1</translation>
         <translation>Eine Operation planen, um sie hier zu sehen</translation>
     </message>
     <message>
+        <source>Plan and judge finishing operations of all kinds, and suggest the three best (G)</source>
+        <translation>Schlichtoperationen aller Arten planen und beurteilen und die drei besten vorschlagen (G)</translation>
+    </message>
+    <message>
         <source>Plan and verify</source>
         <translation>Planen und prüfen</translation>
     </message>
@@ -13841,6 +14077,14 @@ auf, %1</translation>
         <translation>Alle Aufspannungen werden geplant</translation>
     </message>
     <message>
+        <source>Planning and judging operations for this part</source>
+        <translation>Operationen für dieses Teil werden geplant und beurteilt</translation>
+    </message>
+    <message>
+        <source>Planning and judging operations for this part: %1</source>
+        <translation>Operationen für dieses Teil werden geplant und beurteilt: %1</translation>
+    </message>
+    <message>
         <source>Planning it takes %1.</source>
         <translation>Das Planen braucht %1.</translation>
     </message>
@@ -13876,9 +14120,21 @@ auf, %1</translation>
         <source>Press Plan (F5) to plan it.</source>
         <translation>Mit Planen (F5) planen.</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
     <message numerus="yes">
         <source>Preview: %1 layers</source>
         <translation><numerusform>Vorschau: %1 Ebene</numerusform><numerusform>Vorschau: %1 Ebenen</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview: about %1 passes</source>
+        <translation><numerusform>Vorschau: etwa %1 Bahn</numerusform><numerusform>Vorschau: etwa %1 Bahnen</numerusform></translation>
+    </message>
+    <message>
+        <source>Previewing passes</source>
+        <translation>Bahnen werden vorgezeigt</translation>
     </message>
     <message>
         <source>Previous tool at the picked point</source>
@@ -13895,6 +14151,10 @@ auf, %1</translation>
     <message>
         <source>Programs count from the origin of the part's coordinates</source>
         <translation>Programme zählen vom Ursprung der Koordinaten des Teils</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Progress of the preview</source>
@@ -14151,6 +14411,10 @@ auf, %1</translation>
     <message>
         <source>S&amp;top</source>
         <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>S&amp;uggest an operation…</source>
+        <translation>&amp;Operation vorschlagen…</translation>
     </message>
     <message>
         <source>Sa&amp;ve as template…</source>
@@ -14510,6 +14774,10 @@ auf, %1</translation>
         <translation>Die Vorschau anhalten (Esc)</translation>
     </message>
     <message>
+        <source>Stopped. Nothing is suggested.</source>
+        <translation>Angehalten. Nichts wird vorgeschlagen.</translation>
+    </message>
+    <message>
         <source>Stopped. Resume goes on with what was found.</source>
         <translation>Angehalten. Fortsetzen macht mit dem weiter, was gefunden ist.</translation>
     </message>
@@ -14552,6 +14820,14 @@ auf, %1</translation>
     <message>
         <source>Su&amp;ggest</source>
         <translation>Vorschla&amp;gen</translation>
+    </message>
+    <message>
+        <source>Suggest an operation</source>
+        <translation>Operation vorschlagen</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
     </message>
     <message>
         <source>Surface to rework</source>
@@ -14652,6 +14928,10 @@ auf, %1</translation>
         <translation>Werkzeuge von FreeCAD, Fusion, LinuxCNC, CAMotics oder Kiri:Moto übernehmen</translation>
     </message>
     <message>
+        <source>Takes %1 times as long as the quickest</source>
+        <translation>Dauert %1-mal so lange wie die schnellste</translation>
+    </message>
+    <message>
         <source>Takes away what lies beyond a plane and closes the section.</source>
         <translation>Entfernt, was jenseits einer Ebene liegt, und schließt den Schnitt.</translation>
     </message>
@@ -14710,6 +14990,10 @@ Install a graphics driver, or use facetmill-cli.</source>
         <translation>Die 3D-Ansicht kann nicht gezeigt werden: %1.
 
 Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
+        <translation><numerusform>Die beste von %1 Operation, die für dieses Teil und die Werkzeuge des Projekts geplant wurde, nach Zeit und nach dem, was sie lässt</numerusform><numerusform>Die besten von %1 Operationen, die für dieses Teil und die Werkzeuge des Projekts geplant wurden, nach Zeit und nach dem, was sie lassen</numerusform></translation>
     </message>
     <message>
         <source>The box takes facets that are not seen from here as well</source>
@@ -14832,6 +15116,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Teil liegt schon so.</translation>
     </message>
     <message>
+        <source>The part turns under the tool</source>
+        <translation>Das Teil dreht sich unter dem Werkzeug</translation>
+    </message>
+    <message>
         <source>The part was not read</source>
         <translation>Das Teil wurde nicht gelesen</translation>
     </message>
@@ -14892,6 +15180,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Projekt hat sich seither geändert. Gezeigt wird der Plan, wie er war.</translation>
     </message>
     <message>
+        <source>The project has changed since: look again to be sure.</source>
+        <translation>Das Projekt hat sich seither geändert: noch einmal suchen, um sicher zu sein.</translation>
+    </message>
+    <message>
         <source>The project's own file, %1, is newer: it was saved on %2. Restored, the older state is shown, and the file stays as it is until you save.</source>
         <translation>Die Datei des Projekts, %1, ist neuer: gespeichert am %2. Wiederhergestellt wird der ältere Stand gezeigt; die Datei bleibt bis zum Speichern, wie sie ist.</translation>
     </message>
@@ -14902,6 +15194,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The project's own file, %1, was last saved on %2, and stays as it is until you save.</source>
         <translation>Die Datei des Projekts, %1, wurde zuletzt am %2 gespeichert und bleibt bis zum Speichern, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The quickest of these</source>
+        <translation>Die schnellste von diesen</translation>
     </message>
     <message>
         <source>The raw material; during playback as it is cut</source>
@@ -14946,6 +15242,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>The tool at the picked point of the path</source>
         <translation>Das Werkzeug am gewählten Punkt des Wegs</translation>
+    </message>
+    <message>
+        <source>The tool leans with the surface, and leaves wide strips</source>
+        <translation>Das Werkzeug neigt sich mit der Fläche und lässt breite Streifen</translation>
     </message>
     <message>
         <source>The tool leans, so that a flat or bull-nosed cutter leaves wide strips</source>
@@ -16222,6 +16522,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>nicht angesehen</translation>
     </message>
     <message>
+        <source>not planned, not checked</source>
+        <translation>nicht geplant, nicht geprüft</translation>
+    </message>
+    <message>
         <source>not reached by any</source>
         <translation>von keinem erreicht</translation>
     </message>
@@ -16532,6 +16836,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>within %1</source>
         <translation>innerhalb %1</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>ohne %1</translation>
     </message>
     <message>
         <source>write %1 or %2</source>

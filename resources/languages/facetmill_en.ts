@@ -48,8 +48,16 @@
         <translation><numerusform>Preview: %1 layer</numerusform><numerusform>Preview: %1 layers</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>Preview: about %1 passes</source>
+        <translation><numerusform>Preview: about %1 pass</numerusform><numerusform>Preview: about %1 passes</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>Scan room: %1 steps…</source>
         <translation><numerusform>Scan room: %1 step…</numerusform><numerusform>Scan room: %1 steps…</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
+        <translation><numerusform>The best of %1 operation that was planned for this part and the project's tools, by time and by what it leaves</numerusform><numerusform>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>Wrote %n files into %1.</source>

@@ -3700,6 +3700,10 @@
         <translation>ajouter une boîte, choisir le type attache et la déplacer à sa place</translation>
     </message>
     <message>
+        <source>add a tool</source>
+        <translation>ajoutez un outil</translation>
+    </message>
+    <message>
         <source>add an operation</source>
         <translation>ajouter une opération</translation>
     </message>
@@ -3756,6 +3760,10 @@
         <translation>tout est usiné par passes parallèles : {1}</translation>
     </message>
     <message>
+        <source>all of it lies off the part</source>
+        <translation>elle est tout entière hors de la pièce</translation>
+    </message>
+    <message>
         <source>all of it lies off the part, as at {1}</source>
         <translation>elle est entièrement hors de la pièce, par exemple en {1}</translation>
     </message>
@@ -3774,6 +3782,10 @@
     <message>
         <source>allow a larger one</source>
         <translation>en permettre une plus grande</translation>
+    </message>
+    <message>
+        <source>allow a larger tolerance or set a side feed</source>
+        <translation>admettez une tolérance plus grande ou indiquez une avance latérale</translation>
     </message>
     <message>
         <source>allow a larger tolerance or set a step-down</source>
@@ -4028,6 +4040,10 @@
         <translation>à côté de {1} des {2} points de contact, aucune posture n'enlève toute la bande : elle est usinée sous la passe et laissée au nettoyage à côté</translation>
     </message>
     <message>
+        <source>between its radii there is nothing</source>
+        <translation>il n’y a rien entre ses rayons</translation>
+    </message>
+    <message>
         <source>bottom</source>
         <translation>bas</translation>
     </message>
@@ -4156,6 +4172,10 @@
         <translation>vérifier `place` des deux posages et où est le maillage du brut, ou laisser le posage continuer avec le reste</translation>
     </message>
     <message>
+        <source>check boundary, slopes and tool</source>
+        <translation>vérifiez limite, pentes et outil</translation>
+    </message>
+    <message>
         <source>check commas, quotes and braces</source>
         <translation>vérifier virgules, guillemets et accolades</translation>
     </message>
@@ -4204,6 +4224,14 @@
         <translation>vérifier pièce, outil et tolérance</translation>
     </message>
     <message>
+        <source>check part, tools and machine</source>
+        <translation>vérifiez pièce, outils et machine</translation>
+    </message>
+    <message>
+        <source>check start, stop, chuck and tailstock</source>
+        <translation>vérifiez début, fin, mandrin et contre-pointe</translation>
+    </message>
+    <message>
         <source>check that it is an APT CL file</source>
         <translation>vérifier que c'est un fichier CL APT</translation>
     </message>
@@ -4214,6 +4242,10 @@
     <message>
         <source>check the axis, the core radius and where the path starts and stops</source>
         <translation>vérifier l'axe, le rayon du noyau et où le parcours commence et finit</translation>
+    </message>
+    <message>
+        <source>check the boundary</source>
+        <translation>vérifiez la limite</translation>
     </message>
     <message>
         <source>check the directions</source>
@@ -4384,6 +4416,10 @@
         <translation>choisir une tolérance ou un pas latéral plus grand</translation>
     </message>
     <message>
+        <source>choose a larger tool or a smaller tolerance</source>
+        <translation>choisissez un outil plus grand ou une tolérance plus petite</translation>
+    </message>
+    <message>
         <source>choose a smaller allowance, or a larger stock</source>
         <translation>choisir une surépaisseur plus petite ou un brut plus grand</translation>
     </message>
@@ -4430,6 +4466,14 @@
     <message>
         <source>choose at most the diameter</source>
         <translation>choisir au plus le diamètre</translation>
+    </message>
+    <message>
+        <source>choose one that is</source>
+        <translation>choisissez-en un qui y est</translation>
+    </message>
+    <message>
+        <source>choose other slopes</source>
+        <translation>choisissez d’autres pentes</translation>
     </message>
     <message>
         <source>choose some of its objects</source>
@@ -5648,6 +5692,10 @@
         <translation>cela demande plus de {1} tours</translation>
     </message>
     <message>
+        <source>it asks for too many turns</source>
+        <translation>cela demande trop de tours</translation>
+    </message>
+    <message>
         <source>it begins with a point</source>
         <translation>il commence par un point</translation>
     </message>
@@ -5866,6 +5914,10 @@
     <message>
         <source>its tool is not in the project any more</source>
         <translation>son outil n'est plus dans le projet</translation>
+    </message>
+    <message>
+        <source>its two curves cross or touch</source>
+        <translation>ses deux courbes se croisent ou se touchent</translation>
     </message>
     <message>
         <source>its two curves cross or touch at {1}</source>
@@ -6576,6 +6628,14 @@
         <translation>aucune de ses surfaces n'a pu être maillée</translation>
     </message>
     <message>
+        <source>none of the operations looked at can be made: {1}: {2}</source>
+        <translation>aucune des opérations examinées n’est possible : {1} : {2}</translation>
+    </message>
+    <message>
+        <source>none of the operations looked at can be made{1}</source>
+        <translation>aucune des opérations examinées n’est possible{1}</translation>
+    </message>
+    <message>
         <source>none of the {1} facets has an area</source>
         <translation>aucune des {1} facettes n'a d'aire</translation>
     </message>
@@ -6620,8 +6680,16 @@
         <translation>rien ne suit l'en-tête</translation>
     </message>
     <message>
+        <source>nothing has to be cleaned up, or allow less</source>
+        <translation>il n’y a rien à reprendre, ou admettez moins</translation>
+    </message>
+    <message>
         <source>nothing is cut</source>
         <translation>rien n'est usiné</translation>
+    </message>
+    <message>
+        <source>nothing is left between its ends</source>
+        <translation>il ne reste rien entre ses extrémités</translation>
     </message>
     <message>
         <source>nothing is measured that is called '{1}'</source>
@@ -6648,6 +6716,14 @@
         <translation>rien de la pièce n'arrête l'outil sur son chemin vers l'axe</translation>
     </message>
     <message>
+        <source>nothing of the part is as steep as asked for</source>
+        <translation>rien de la pièce n’est aussi raide que demandé</translation>
+    </message>
+    <message>
+        <source>nothing of the part is to be cut</source>
+        <translation>rien de la pièce n’est à usiner</translation>
+    </message>
+    <message>
         <source>nothing of the part lies in it</source>
         <translation>rien de la pièce ne s'y trouve</translation>
     </message>
@@ -6666,6 +6742,10 @@
     <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>rien du brut ne dépasse la pièce et la surépaisseur de {1}</translation>
+    </message>
+    <message>
+        <source>nothing runs so far to that side of it</source>
+        <translation>rien ne passe aussi loin de ce côté</translation>
     </message>
     <message>
         <source>nothing runs {1} to that side of it</source>
@@ -6828,6 +6908,10 @@
         <translation>opération '{1}' : {2} irait de {3} à {4} de la machine, et sa course finit avant</translation>
     </message>
     <message>
+        <source>operations of this kind have no preview of their passes</source>
+        <translation>les opérations de ce type n’ont pas d’aperçu de leurs passes</translation>
+    </message>
+    <message>
         <source>operations there are: {1}</source>
         <translation>opérations existantes : {1}</translation>
     </message>
@@ -6948,6 +7032,14 @@
         <translation>planifier de nouveau</translation>
     </message>
     <message>
+        <source>plan the operation to see its passes</source>
+        <translation>planifiez l’opération pour voir ses passes</translation>
+    </message>
+    <message>
+        <source>plan the operation to see why</source>
+        <translation>planifiez l’opération pour voir pourquoi</translation>
+    </message>
+    <message>
         <source>plan the setups before this one</source>
         <translation>planifier les posages précédents</translation>
     </message>
@@ -7022,6 +7114,10 @@
     <message>
         <source>reduce the mesh</source>
         <translation>réduire le maillage</translation>
+    </message>
+    <message>
+        <source>regions of rework</source>
+        <translation>zones de reprise</translation>
     </message>
     <message>
         <source>remove its operations instead</source>
@@ -7352,6 +7448,10 @@
         <translation>bandes</translation>
     </message>
     <message>
+        <source>strips around what operations before left</source>
+        <translation>bandes autour de ce que les opérations précédentes ont laissé</translation>
+    </message>
+    <message>
         <source>switch it on (off: false)</source>
         <translation>l'activer (off: false)</translation>
     </message>
@@ -7600,6 +7700,10 @@
         <translation>la fraise laisse plus que la tolérance : prendre un pas latéral ou un outil plus petit</translation>
     </message>
     <message>
+        <source>the cutter touches no two flanks of a valley that it leaves</source>
+        <translation>la fraise ne touche nulle part deux flancs d’un creux où elle laisse de la matière</translation>
+    </message>
+    <message>
         <source>the cutter touches the part nowhere at two places between which it leaves more than the tolerance</source>
         <translation>la fraise ne touche nulle part la pièce en deux endroits entre lesquels elle laisse plus que la tolérance</translation>
     </message>
@@ -7626,6 +7730,10 @@
     <message>
         <source>the depth of cut asks for more than {1} passes</source>
         <translation>la profondeur de passe demande plus de {1} passes</translation>
+    </message>
+    <message>
+        <source>the depth of cut asks for too many passes</source>
+        <translation>la profondeur de coupe demande trop de passes</translation>
     </message>
     <message>
         <source>the depth of cut of {1} is more than the {2} that stand above the part: one pass takes all</source>
@@ -8128,8 +8236,20 @@
         <translation>la pièce ailleurs gêne la fraise : y prendre un outil plus petit ou plus long, ou des limites plus larges</translation>
     </message>
     <message>
+        <source>the part has no extent along the turning axis</source>
+        <translation>la pièce n’a pas d’étendue le long de l’axe de rotation</translation>
+    </message>
+    <message>
+        <source>the part has no extent seen along the tool axis</source>
+        <translation>la pièce n’a pas d’étendue vue le long de l’axe de l’outil</translation>
+    </message>
+    <message>
         <source>the part has no facets</source>
         <translation>la pièce n'a pas de facettes</translation>
+    </message>
+    <message>
+        <source>the part has {1} facets: passes are previewed up to {2}</source>
+        <translation>la pièce a {1} facettes : il y a un aperçu jusqu’à {2}</translation>
     </message>
     <message>
         <source>the part is in the cutter's way by every axis; use a smaller or longer tool, or turn the part</source>
@@ -8256,6 +8376,18 @@
         <translation>la posture gardée pour {1} n'est pas utilisée : aucune passe n'y vient</translation>
     </message>
     <message>
+        <source>the preview found nothing to cut</source>
+        <translation>l’aperçu n’a rien trouvé à usiner</translation>
+    </message>
+    <message>
+        <source>the previous tool is not in the list</source>
+        <translation>l’outil précédent n’est pas dans la liste</translation>
+    </message>
+    <message>
+        <source>the previous tool leaves nothing above the tolerance</source>
+        <translation>l’outil précédent ne laisse rien au-dessus de la tolérance</translation>
+    </message>
+    <message>
         <source>the profile has too many pieces</source>
         <translation>le profil a trop de morceaux</translation>
     </message>
@@ -8298,6 +8430,10 @@
     <message>
         <source>the project has no tool {1}</source>
         <translation>le projet n'a pas d'outil {1}</translation>
+    </message>
+    <message>
+        <source>the project has no tools</source>
+        <translation>le projet n’a pas d’outils</translation>
     </message>
     <message>
         <source>the project has no tools: add one</source>
@@ -8526,6 +8662,10 @@
     <message>
         <source>the text of an ASCII STL file has binary bytes in it</source>
         <translation>le texte d'un fichier STL ASCII contient des octets binaires</translation>
+    </message>
+    <message>
+        <source>the tilt of the tool</source>
+        <translation>l’inclinaison de l’outil</translation>
     </message>
     <message>
         <source>the tip is kept from going below the bottom of the stock, by up to {1} at {2} of the points: so much stays on the surface there unless 'Below the bottom' allows it</source>
@@ -9224,6 +9364,14 @@
         <translation>tourner la pièce</translation>
     </message>
     <message>
+        <source>turn the part or choose another axis</source>
+        <translation>tournez la pièce ou choisissez un autre axe</translation>
+    </message>
+    <message>
+        <source>turn the part or choose another tool axis</source>
+        <translation>tournez la pièce ou choisissez un autre axe d’outil</translation>
+    </message>
+    <message>
         <source>turned by {1}</source>
         <translation>tourné de {1}</translation>
     </message>
@@ -9510,6 +9658,10 @@
     <message>
         <source>what lies between the curves folds over, as at {1}</source>
         <translation>ce qui est entre les courbes se replie, par exemple en {1}</translation>
+    </message>
+    <message>
+        <source>what operations before have cut</source>
+        <translation>ce que les opérations précédentes ont enlevé</translation>
     </message>
     <message>
         <source>what setup '{1}' left</source>
@@ -10515,6 +10667,18 @@
         <translation>%1 % de la surface</translation>
     </message>
     <message>
+        <source>%1 % of the surface is no steeper than %2°: passes side by side lie far apart there</source>
+        <translation>%1 % de la surface ne sont pas plus raides que %2° : des passes côte à côte y sont bien espacées</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is steeper than %2°: levels go round it</source>
+        <translation>%1 % de la surface sont plus raides que %2° : des niveaux en font le tour</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is steeper than %2°: levels there leave less, passes side by side cut the rest</source>
+        <translation>%1 % de la surface sont plus raides que %2° : des niveaux y laissent moins, des passes côte à côte usinent le reste</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -10713,6 +10877,10 @@
     <message numerus="yes">
         <source>%1 tools</source>
         <translation><numerusform>%1 outil</numerusform><numerusform>%1 outils</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 was added to the project. Undo takes it away.</source>
+        <translation>%1 a été ajouté au projet. Annuler le retire.</translation>
     </message>
     <message>
         <source>%1 wide, %2 long</source>
@@ -11031,6 +11199,10 @@
         <translation>&amp;Brut…</translation>
     </message>
     <message>
+        <source>&amp;Stop</source>
+        <translation>A&amp;rrêter</translation>
+    </message>
+    <message>
         <source>&amp;Tilt from upright</source>
         <translation>&amp;Inclinaison par rapport à la verticale</translation>
     </message>
@@ -11247,6 +11419,10 @@
         <translation>A+</translation>
     </message>
     <message>
+        <source>About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut</source>
+        <translation>Environ %1 ; laisse au plus %2 sur 99 % de la surface, dont %3 % non usinés</translation>
+    </message>
+    <message>
         <source>About Facetmill</source>
         <translation>À propos de Facetmill</translation>
     </message>
@@ -11257,6 +11433,14 @@
     <message>
         <source>Add</source>
         <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Add &amp;%1</source>
+        <translation>Ajouter &amp;%1</translation>
     </message>
     <message>
         <source>Add a material</source>
@@ -11297,6 +11481,10 @@
     <message>
         <source>Add setup</source>
         <translation>Ajouter un posage</translation>
+    </message>
+    <message>
+        <source>Add this operation to the project; undo takes it away again</source>
+        <translation>Ajouter cette opération au projet ; Annuler la retire</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -11369,6 +11557,10 @@
     <message>
         <source>All setups are planned.</source>
         <translation>Tous les posages sont planifiés.</translation>
+    </message>
+    <message>
+        <source>Alone it does not pass the verification: %1</source>
+        <translation>Seule, elle ne passe pas la vérification : %1</translation>
     </message>
     <message>
         <source>Along the axis (%1)</source>
@@ -12041,6 +12233,10 @@
     <message>
         <source>Draw curve</source>
         <translation>Dessiner une courbe</translation>
+    </message>
+    <message>
+        <source>Drawing operations</source>
+        <translation>Dessin des opérations</translation>
     </message>
     <message>
         <source>Drawing regions</source>
@@ -12721,6 +12917,10 @@
         <translation>De combien la table peut pencher avant que la pièce tombe</translation>
     </message>
     <message>
+        <source>How the passes of the chosen operation will about run, until it is planned</source>
+        <translation>Comment les passes de l’opération choisie iront à peu près, jusqu’à ce qu’elle soit planifiée</translation>
+    </message>
+    <message>
         <source>Import tools</source>
         <translation>Importer des outils</translation>
     </message>
@@ -12885,6 +13085,10 @@
         <translation>L'écarter du plan, de la vérification et des programmes, comme si elle n'existait pas</translation>
     </message>
     <message>
+        <source>Leaves least of these</source>
+        <translation>Laisse le moins parmi celles-ci</translation>
+    </message>
+    <message>
         <source>Left end: all layers; then one layer alone, from the top down</source>
         <translation>À gauche : tous les niveaux ; puis un seul, de haut en bas</translation>
     </message>
@@ -12939,6 +13143,14 @@
         <translation>Journal</translation>
     </message>
     <message>
+        <source>Look &amp;again</source>
+        <translation>Cherche&amp;r de nouveau</translation>
+    </message>
+    <message>
+        <source>Look for suggestions once more, for the project as it is now</source>
+        <translation>Chercher encore des propositions, pour le projet tel qu’il est</translation>
+    </message>
+    <message>
         <source>Looked at</source>
         <translation>Examiné</translation>
     </message>
@@ -12977,6 +13189,10 @@
     <message>
         <source>Looking for holes, pieces and other flaws…</source>
         <translation>Recherche de trous, morceaux et autres défauts…</translation>
+    </message>
+    <message>
+        <source>Looking for suggestions</source>
+        <translation>Recherche de propositions</translation>
     </message>
     <message>
         <source>Looking for the face</source>
@@ -13271,6 +13487,10 @@
         <translation>Aucune posture n'est libre : le point est laissé au nettoyage</translation>
     </message>
     <message>
+        <source>No preview</source>
+        <translation>Pas d’aperçu</translation>
+    </message>
+    <message>
         <source>No step yet: the file is taken as it is. Suggest makes a recipe for what was found; Add takes single steps.</source>
         <translation>Pas encore d'étape : le fichier est pris tel quel. Suggérer fait une recette pour ce qui a été trouvé ; Ajouter prend des étapes isolées.</translation>
     </message>
@@ -13475,6 +13695,10 @@
         <translation>Une passe qui s’enroule autour d’un centre, pour ce qui est rond</translation>
     </message>
     <message>
+        <source>One pass that winds over the part needs few links</source>
+        <translation>Une passe qui s’enroule sur la pièce demande peu de liaisons</translation>
+    </message>
+    <message>
         <source>Only what is cut up to “%1” has been verified.</source>
         <translation>Seul ce qui est usiné jusqu'à « %1 » a été vérifié.</translation>
     </message>
@@ -13675,8 +13899,16 @@
         <translation>Passes</translation>
     </message>
     <message>
+        <source>Passes follow the part's outline</source>
+        <translation>Les passes suivent le contour de la pièce</translation>
+    </message>
+    <message>
         <source>Passes from a centre outward, like the spokes of a wheel</source>
         <translation>Des passes d’un centre vers l’extérieur, comme les rayons d’une roue</translation>
+    </message>
+    <message>
+        <source>Passes from the middle outward meet its rims head on</source>
+        <translation>Des passes du centre vers l’extérieur abordent ses bords de face</translation>
     </message>
     <message>
         <source>Passes side by side over the surface, with an upright tool</source>
@@ -13775,6 +14007,10 @@
         <translation>Planifier une opération pour la voir ici</translation>
     </message>
     <message>
+        <source>Plan and judge finishing operations of all kinds, and suggest the three best (G)</source>
+        <translation>Planifier et juger des opérations de finition de toutes sortes, et proposer les trois meilleures (G)</translation>
+    </message>
+    <message>
         <source>Plan and verify</source>
         <translation>Planifier et vérifier</translation>
     </message>
@@ -13839,6 +14075,14 @@
         <translation>Planification de tous les posages</translation>
     </message>
     <message>
+        <source>Planning and judging operations for this part</source>
+        <translation>Des opérations pour cette pièce sont planifiées et jugées</translation>
+    </message>
+    <message>
+        <source>Planning and judging operations for this part: %1</source>
+        <translation>Des opérations pour cette pièce sont planifiées et jugées : %1</translation>
+    </message>
+    <message>
         <source>Planning it takes %1.</source>
         <translation>La planifier demande %1.</translation>
     </message>
@@ -13874,9 +14118,21 @@
         <source>Press Plan (F5) to plan it.</source>
         <translation>Planifier (F5) pour la planifier.</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
     <message numerus="yes">
         <source>Preview: %1 layers</source>
         <translation><numerusform>Aperçu : %1 niveau</numerusform><numerusform>Aperçu : %1 niveaux</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview: about %1 passes</source>
+        <translation><numerusform>Aperçu : environ %1 passe</numerusform><numerusform>Aperçu : environ %1 passes</numerusform></translation>
+    </message>
+    <message>
+        <source>Previewing passes</source>
+        <translation>Aperçu des passes</translation>
     </message>
     <message>
         <source>Previous tool at the picked point</source>
@@ -13893,6 +14149,10 @@
     <message>
         <source>Programs count from the origin of the part's coordinates</source>
         <translation>Les programmes comptent de l'origine des coordonnées de la pièce</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avancement</translation>
     </message>
     <message>
         <source>Progress of the preview</source>
@@ -14149,6 +14409,10 @@
     <message>
         <source>S&amp;top</source>
         <translation>Arrê&amp;ter</translation>
+    </message>
+    <message>
+        <source>S&amp;uggest an operation…</source>
+        <translation>Propo&amp;ser une opération…</translation>
     </message>
     <message>
         <source>Sa&amp;ve as template…</source>
@@ -14508,6 +14772,10 @@
         <translation>Arrêter l'aperçu (Échap)</translation>
     </message>
     <message>
+        <source>Stopped. Nothing is suggested.</source>
+        <translation>Arrêté. Rien n’est proposé.</translation>
+    </message>
+    <message>
         <source>Stopped. Resume goes on with what was found.</source>
         <translation>Arrêté. Reprendre continue avec ce qui est trouvé.</translation>
     </message>
@@ -14550,6 +14818,14 @@
     <message>
         <source>Su&amp;ggest</source>
         <translation>Su&amp;ggérer</translation>
+    </message>
+    <message>
+        <source>Suggest an operation</source>
+        <translation>Proposer une opération</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Propositions</translation>
     </message>
     <message>
         <source>Surface to rework</source>
@@ -14650,6 +14926,10 @@
         <translation>Reprendre les outils de FreeCAD, Fusion, LinuxCNC, CAMotics ou Kiri:Moto</translation>
     </message>
     <message>
+        <source>Takes %1 times as long as the quickest</source>
+        <translation>Dure %1 fois plus que la plus rapide</translation>
+    </message>
+    <message>
         <source>Takes away what lies beyond a plane and closes the section.</source>
         <translation>Enlève ce qui est au-delà d'un plan et ferme la section.</translation>
     </message>
@@ -14708,6 +14988,10 @@ Install a graphics driver, or use facetmill-cli.</source>
         <translation>La vue 3D ne peut être affichée : %1.
 
 Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
+        <translation><numerusform>La meilleure de %1 opération planifiée pour cette pièce et les outils du projet, selon le temps et ce qu’elle laisse</numerusform><numerusform>Les meilleures de %1 opérations planifiées pour cette pièce et les outils du projet, selon le temps et ce qu’elles laissent</numerusform></translation>
     </message>
     <message>
         <source>The box takes facets that are not seen from here as well</source>
@@ -14830,6 +15114,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>La pièce est déjà posée ainsi.</translation>
     </message>
     <message>
+        <source>The part turns under the tool</source>
+        <translation>La pièce tourne sous l’outil</translation>
+    </message>
+    <message>
         <source>The part was not read</source>
         <translation>La pièce n'a pas été lue</translation>
     </message>
@@ -14890,6 +15178,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Le projet a changé depuis. Ce qui est montré ici vient du plan tel qu'il était.</translation>
     </message>
     <message>
+        <source>The project has changed since: look again to be sure.</source>
+        <translation>Le projet a changé depuis : cherchez de nouveau pour en être sûr.</translation>
+    </message>
+    <message>
         <source>The project's own file, %1, is newer: it was saved on %2. Restored, the older state is shown, and the file stays as it is until you save.</source>
         <translation>Le fichier du projet, %1, est plus récent : enregistré le %2. La restauration montre l'état plus ancien ; le fichier reste tel quel jusqu'à l'enregistrement.</translation>
     </message>
@@ -14900,6 +15192,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The project's own file, %1, was last saved on %2, and stays as it is until you save.</source>
         <translation>Le fichier du projet, %1, a été enregistré le %2 et reste tel quel jusqu'au prochain enregistrement.</translation>
+    </message>
+    <message>
+        <source>The quickest of these</source>
+        <translation>La plus rapide parmi celles-ci</translation>
     </message>
     <message>
         <source>The raw material; during playback as it is cut</source>
@@ -14944,6 +15240,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>The tool at the picked point of the path</source>
         <translation>L'outil au point choisi du parcours</translation>
+    </message>
+    <message>
+        <source>The tool leans with the surface, and leaves wide strips</source>
+        <translation>L’outil s’incline avec la surface, et laisse de larges bandes</translation>
     </message>
     <message>
         <source>The tool leans, so that a flat or bull-nosed cutter leaves wide strips</source>
@@ -16220,6 +16520,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>non examiné</translation>
     </message>
     <message>
+        <source>not planned, not checked</source>
+        <translation>ni planifié ni vérifié</translation>
+    </message>
+    <message>
         <source>not reached by any</source>
         <translation>atteint par aucun</translation>
     </message>
@@ -16530,6 +16834,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>within %1</source>
         <translation>dans %1</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>sans %1</translation>
     </message>
     <message>
         <source>write %1 or %2</source>

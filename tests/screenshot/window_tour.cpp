@@ -10,6 +10,7 @@
 #include "ui/project_tree.h"
 #include "ui/region_dialog.h"
 #include "ui/study_controller.h"
+#include "ui/suggest_dialog.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/tool_library_dialog.h"
@@ -147,6 +148,10 @@ QSet<QString> tour_dialogs(ui::MainWindow& window, const Look& look) {
     regions.show_settings(*operation, LengthUnit::inch, {{QStringLiteral("1 Ball"), ParameterValue(1L)}});
     regions.show_no_regions(QStringLiteral("Plan first."));
     visit(&regions);
+    ui::SuggestDialog suggest(&window);
+    suggest.show_status(QStringLiteral("-"));
+    suggest.show_cards({{{}, QStringLiteral("Waterline"), QStringLiteral("4 min"), {QStringLiteral("-")}}});
+    visit(&suggest);
     window.controllers().study().open();
     visit(window.controllers().study().dialog());
     return classes;

@@ -1,0 +1,190 @@
+#include "ui/suggest_controller.h"
+
+#include "core/job/new_operation.h"
+#include "ui/operation_menu.h"
+#include "ui/suggest_dialog.h"
+#include "ui/text.h"
+#include "ui/worded.h"
+
+#include <algorithm>
+
+namespace facetmill::ui {
+
+namespace {
+
+QString share_words(double share) {
+    return number_text(100 * share, share < 0.1 ? 1 : 2);
+}
+
+QString suggestion_title(const Suggestion& s) {
+    QString label = text(s.operation->kind());
+    for (const OperationKind& kind : operation_kinds())
+        if (kind.kind == s.operation->kind()) label = worded(kind.label);
+    return SuggestController::tr("%1, %2").arg(label, text(s.tool));
+}
+
+QString suggestion_figures(const Suggestion& s, LengthUnit unit) {
+    const Measures& m = s.result.measures;
+    const double per = mm_per(unit);
+    return SuggestController::tr("About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut")
+        .arg(duration_text(s.seconds), shown_length(m[Measure::excess_p99].value_or(0) * per, unit, 2),
+             share_words(m[Measure::uncut_share].value_or(0)));
+}
+
+/// What speaks for its kind on this part.
+QString kind_reason(const std::string& kind, const SuggestedPart& part) {
+    const QString steep = share_words(part.steep_share), limit = number_text(degrees(part.steep), 2);
+    if (kind == "waterline")
+        return SuggestController::tr("%1 % of the surface is steeper than %2°: levels go round it")
+            .arg(steep, limit);
+    if (kind == "steep_shallow")
+        return SuggestController::tr(
+                   "%1 % of the surface is steeper than %2°: levels there leave less, passes "
+                   "side by side cut the rest")
+            .arg(steep, limit);
+    if (kind == "finish3")
+        return SuggestController::tr(
+                   "%1 % of the surface is no steeper than %2°: passes side by side lie far apart "
+                   "there")
+            .arg(share_words(1 - part.steep_share), limit);
+    if (kind == "spiral") return SuggestController::tr("One pass that winds over the part needs few links");
+    if (kind == "radial")
+        return SuggestController::tr("Passes from the middle outward meet its rims head on");
+    if (kind == "morph") return SuggestController::tr("Passes follow the part's outline");
+    if (kind == "finish5" || kind == "global_local")
+        return SuggestController::tr("The tool leans with the surface, and leaves wide strips");
+    if (kind == "lathe_finish") return SuggestController::tr("The part turns under the tool");
+    return operation_words(kind);
+}
+
+QStringList reasons_of(const Suggestions& all, std::size_t i) {
+    const Suggestion& s = all.best[i];
+    QStringList reasons{kind_reason(std::string(s.operation->kind()), all.part)};
+    const auto left = [&](std::size_t k) {
+        return all.best[k].result.measures[Measure::excess_p99].value_or(0);
+    };
+    bool quickest = true, cleanest = true;
+    for (std::size_t k = 0; k < all.best.size(); ++k) {
+        quickest = quickest && s.seconds <= all.best[k].seconds;
+        cleanest = cleanest && left(i) <= left(k);
+    }
+    if (quickest) reasons << SuggestController::tr("The quickest of these");
+    if (cleanest && all.best.size() > 1) reasons << SuggestController::tr("Leaves least of these");
+    if (!quickest) {
+        double least = s.seconds;
+        for (const Suggestion& other : all.best)
+            least = std::min(least, other.seconds);
+        if (least > 0)
+            reasons << SuggestController::tr("Takes %1 times as long as the quickest")
+                           .arg(number_text(s.seconds / least, 2));
+    }
+    if (!s.result.passed)
+        reasons
+            << SuggestController::tr("Alone it does not pass the verification: %1").arg(worded(s.result.why));
+    return reasons;
+}
+
+} // namespace
+
+SuggestController::SuggestController(Document& document, QWidget* window)
+    : Controller(window), document_(document), window_(window) {
+    connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, const QString& label) {
+        dialog_->show_progress(fraction);
+        dialog_->show_status(tr("Planning and judging operations for this part: %1").arg(label));
+    });
+    connect(&job_, &BackgroundJob::ended, this, &SuggestController::settled);
+}
+
+SuggestController::~SuggestController() = default;
+
+std::string SuggestController::asked() const {
+    // A name or a program's number makes no difference; every value that planning reads does.
+    return document_.has_part()
+               ? Document::part_key(document_.project()) + project_to_json(document_.project())
+               : std::string();
+}
+
+void SuggestController::open() {
+    if (!dialog_) {
+        dialog_ = new SuggestDialog(window_);
+        connect(dialog_, &SuggestDialog::again_wanted, this, &SuggestController::look);
+        connect(dialog_, &SuggestDialog::stop_wanted, &job_, &BackgroundJob::cancel);
+        connect(dialog_, &SuggestDialog::add_wanted, this, &SuggestController::add);
+        connect(dialog_, &QDialog::finished, &job_, &BackgroundJob::cancel);
+    }
+    dialog_->show();
+    dialog_->raise();
+    dialog_->activateWindow();
+    if (!job_.running() && (!found_ || found_for_ != asked())) look();
+}
+
+void SuggestController::look() {
+    if (!document_.part_is_current()) return;
+    found_.reset();
+    dialog_->show_cards({});
+    dialog_->show_progress(0);
+    dialog_->show_status(tr("Planning and judging operations for this part"));
+    auto found = std::make_shared<Suggestions>();
+    job_.start(
+        tr("Looking for suggestions"),
+        [found, project = std::make_shared<const Project>(document_.project()),
+         part = document_.part()](const Progress& progress) { *found = suggest(*project, *part, progress); },
+        [this, found, asked = asked()](const JobEnd& end) {
+            dialog_->show_progress(-1);
+            if (end.how == JobEnd::How::failed) return dialog_->show_status(end.message);
+            if (!end.done()) return dialog_->show_status(tr("Stopped. Nothing is suggested."));
+            found_ = found;
+            found_for_ = asked;
+            show();
+            if (found_for_ != this->asked()) show_stale();
+        });
+}
+
+void SuggestController::show() {
+    std::vector<SuggestDialog::Card> cards;
+    for (std::size_t i = 0; i < found_->best.size(); ++i) {
+        const Suggestion& s = found_->best[i];
+        cards.push_back({operation_picture(std::string(s.operation->kind())), suggestion_title(s),
+                         suggestion_figures(s, document_.unit()), reasons_of(*found_, i)});
+    }
+    dialog_->show_cards(cards);
+    dialog_->show_status(
+        tr("The best of %1 operations that were planned for this part and the project's tools, "
+           "by time and by what they leave",
+           nullptr, int(found_->looked_at))
+            .arg(count_text(found_->looked_at)));
+}
+
+void SuggestController::show_stale() {
+    dialog_->show_status(tr("The project has changed since: look again to be sure."));
+}
+
+void SuggestController::add(std::size_t i) {
+    if (!found_ || i >= found_->best.size()) return;
+    auto operation = found_->best[i].operation->clone();
+    operation->common().name = document_.free_operation_name(operation->common().name);
+    const std::size_t place = new_operation(operation->kind(), document_.project()).place;
+    std::vector<std::unique_ptr<Operation>> one;
+    one.push_back(std::move(operation));
+    const QString name = text(one.front()->common().name);
+    document_.add_operations(tr("Add operation"), place, std::move(one), {});
+    found_for_ = asked(); // with one of them more the others are no worse
+    dialog_->show_status(tr("%1 was added to the project. Undo takes it away.").arg(name));
+    emit added(place);
+}
+
+void SuggestController::project_opened() {
+    job_.cancel();
+    found_.reset();
+    if (!dialog_) return;
+    dialog_->show_cards({});
+    dialog_->show_progress(-1);
+    dialog_->show_status({});
+    dialog_->close();
+}
+
+void SuggestController::project_changed() {
+    if (dialog_ && found_ && found_for_ != asked()) show_stale();
+}
+
+} // namespace facetmill::ui
