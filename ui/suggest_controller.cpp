@@ -1,6 +1,7 @@
 #include "ui/suggest_controller.h"
 
 #include "core/job/new_operation.h"
+#include "ui/operation_list.h"
 #include "ui/operation_menu.h"
 #include "ui/suggest_dialog.h"
 #include "ui/text.h"
@@ -17,10 +18,8 @@ QString share_words(double share) {
 }
 
 QString suggestion_title(const Suggestion& s) {
-    QString label = text(s.operation->kind());
-    for (const OperationKind& kind : operation_kinds())
-        if (kind.kind == s.operation->kind()) label = worded(kind.label);
-    return SuggestController::tr("%1, %2").arg(label, text(s.tool));
+    return SuggestController::tr("%1, %2").arg(operation_label(std::string(s.operation->kind())),
+                                               text(s.tool));
 }
 
 QString suggestion_figures(const Suggestion& s, LengthUnit unit) {
@@ -37,12 +36,14 @@ QString kind_reason(const std::string& kind, const SuggestedPart& part) {
     if (kind == "waterline")
         return SuggestController::tr("%1 % of the surface is steeper than %2°: levels go round it")
             .arg(steep, limit);
-    if (kind == "steep_shallow")
+    // A share that would be told as 0 is no reason.
+    constexpr double some_share = 0.005;
+    if (kind == "steep_shallow" && part.steep_share >= some_share)
         return SuggestController::tr(
                    "%1 % of the surface is steeper than %2°: levels there leave less, passes "
                    "side by side cut the rest")
             .arg(steep, limit);
-    if (kind == "finish3")
+    if (kind == "finish3" || kind == "steep_shallow")
         return SuggestController::tr(
                    "%1 % of the surface is no steeper than %2°: passes side by side lie far apart "
                    "there")
@@ -162,7 +163,7 @@ void SuggestController::show_stale() {
 void SuggestController::add(std::size_t i) {
     if (!found_ || i >= found_->best.size()) return;
     auto operation = found_->best[i].operation->clone();
-    operation->common().name = document_.free_operation_name(operation->common().name);
+    operation->common().name = document_.free_operation_name(first_name_of(std::string(operation->kind())));
     const std::size_t place = new_operation(operation->kind(), document_.project()).place;
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(operation));

@@ -176,8 +176,11 @@ private:
         std::ranges::stable_sort(found, preferred);
         std::vector<Suggestion> others;
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const bool surpassed = std::any_of(found.begin(), found.begin() + std::ptrdiff_t(i),
-                                               [&](const Suggestion& s) { return no_worse(s, found[i]); });
+            // What does not pass comes after all that do, however quick it is.
+            const bool fails = found.front().result.passed && !found[i].result.passed;
+            const bool surpassed = fails
+                                   || std::any_of(found.begin(), found.begin() + std::ptrdiff_t(i),
+                                                  [&](const Suggestion& s) { return no_worse(s, found[i]); });
             (surpassed ? others : made_.best).push_back(found[i]);
         }
         // Where fewer are left the next ones are named as well: three are better to choose from.
