@@ -34,7 +34,10 @@ class TestWindowPreview : public QObject, public WindowFixture {
     }
 
 private slots:
-    void init() { QVERIFY(show_window()); }
+    void init() {
+        QVERIFY(show_window());
+        show_previews(true);
+    }
     void cleanup() { leave_as_found(); }
 
     void passes_are_seen_until_they_are_planned() {

@@ -7,6 +7,7 @@
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 
 #include <QAction>
 #include <QApplication>
@@ -184,8 +185,16 @@ void answer_file_dialog(bool& asked, const QString& file) {
 bool WindowFixture::show_window() {
     window_ = std::make_unique<ui::MainWindow>();
     window_->resize(1280, 800);
+    show_previews(false);
     window_->show();
     return activate(*window_);
+}
+
+void WindowFixture::show_previews(bool on) {
+    for (const ui::Workspace workspace : {ui::Workspace::plan, ui::Workspace::prepare}) {
+        w().workspaces().enter(workspace);
+        w().layers().set_shown(ui::ViewLayer::preview, on);
+    }
 }
 
 void WindowFixture::leave_as_found() {

@@ -72,7 +72,10 @@ void answer_file_dialog(bool& asked, const QString& file = {});
 /// A window per test.
 class WindowFixture {
 public:
+    /// Without previews of passes, which come into pictures of other things.
     bool show_window();
+    /// Whether passes are shown before they are planned, in both workspaces that have them.
+    void show_previews(bool on);
     void close_window() { window_.reset(); }
     /// Closes it, in the palette and the language that the next test begins with.
     void leave_as_found();
