@@ -13144,7 +13144,7 @@
     </message>
     <message>
         <source>Look &amp;again</source>
-        <translation>Cherche&amp;r de nouveau</translation>
+        <translation>Chercher de &amp;nouveau</translation>
     </message>
     <message>
         <source>Look for suggestions once more, for the project as it is now</source>
