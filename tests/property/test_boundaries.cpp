@@ -13,8 +13,6 @@ using namespace facetmill::test;
 
 namespace {
 
-const std::size_t flat_kinds = 6; // those of held_cases that do not turn
-
 /// The facets about a place, a strip of slopes, a star, or the outline drawn in.
 Boundary random_boundary(Random& rng, const Mesh& part) {
     Boundary b;
@@ -185,8 +183,8 @@ class TestBoundaries : public QObject {
 private slots:
     void every_kind_stays_within_data() {
         QTest::addColumn<int>("which");
-        for (int i = 0; i < int(flat_kinds); ++i)
-            QTest::newRow(held_cases[i].kind) << i;
+        for (int i = 0; i < int(std::size(held_cases)); ++i)
+            if (!held_cases[i].turns) QTest::newRow(held_cases[i].kind) << i;
     }
     void every_kind_stays_within() {
         QFETCH(int, which);
