@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QIconEngine>
 #include <QMenu>
+#include <QObject>
 #include <QPainter>
 
 #include <algorithm>
@@ -92,8 +93,8 @@ private:
 
 QString operation_label(const std::string& kind) {
     // What core says in one word is no message of the catalogues: users give such names.
-    if (kind == "rough") return QMenu::tr("Rough");
-    if (kind == "cleanup") return QMenu::tr("Clean-up");
+    if (kind == "rough") return QObject::tr("Rough");
+    if (kind == "cleanup") return QObject::tr("Clean-up");
     for (const OperationKind& k : operation_kinds())
         if (k.kind == kind) return worded(k.label);
     return text(kind);

@@ -30,6 +30,7 @@ namespace {
 
 /// Pixels: a label may ask for as much, so that fields have room in a narrow form.
 constexpr int widest_word = 136;
+constexpr int unit_gap = 4; // between a label and the unit beside it
 
 QGridLayout* make_grid(QWidget* holder) {
     auto* grid = new QGridLayout(holder);
@@ -235,9 +236,11 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     if (row.pick || beside_label) {
         auto* both = new QHBoxLayout;
         both->setContentsMargins(0, 0, 0, 0);
-        both->setSpacing(grid->horizontalSpacing());
         both->addWidget(row.label, 1);
-        if (beside_label) both->addWidget(row.unit);
+        if (beside_label) {
+            both->addSpacing(unit_gap);
+            both->addWidget(row.unit);
+        }
         if (row.pick) both->addWidget(row.pick);
         grid->addLayout(both, line, 0);
     } else {

@@ -186,7 +186,7 @@ void add_machine_and_stock(StudyDraft& draft, const Project& project, const std:
     if (is_machine_file(project.machine))
         machine.choices.push_back({text(project.machine), project.machine, {}, true});
     for (const Machine& one : machines())
-        machine.choices.push_back({text(one.name), one.name, {}, one.name == project.machine});
+        machine.choices.push_back({worded(one.label), one.name, {}, one.name == project.machine});
     draft.vary.push_back(std::move(machine));
     const std::vector<std::string>& keys = stock_keys(project.stock.kind);
     if (std::find(keys.begin(), keys.end(), "margin") == keys.end()) return;
