@@ -171,6 +171,8 @@ private:
     double axis_x(std::size_t axis, const QRectF& in) const;
     std::vector<QPointF> line_of(std::size_t candidate, const QRectF& in) const;
     std::optional<std::size_t> axis_at(const QPointF& at) const;
+    void paint_at_axis(QPainter& p, const QRectF& in, std::size_t axis, const QString& words,
+                       double top) const;
     void paint_axes(QPainter& p, const QRectF& in, const StudyChartLook& look) const;
     QString end_text(const Axis& axis, bool high) const;
 

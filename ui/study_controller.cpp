@@ -167,6 +167,7 @@ void StudyController::open_study(const QString& path) {
             take(*opened);
             dialog_->show_question(study_question_html(*folder_));
             dialog_->pages()->setCurrentIndex(1);
+            if (look_->outcome.decision.winner) dialog_->choose(*look_->outcome.decision.winner);
         });
     refresh();
 }

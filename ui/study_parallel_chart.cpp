@@ -80,7 +80,8 @@ std::optional<double> StudyParallelChart::share_of(std::size_t candidate, const 
 
 QRectF StudyParallelChart::frame(const QSize& size) const {
     const double line = QFontMetricsF(font()).height();
-    return QRectF(QPointF(40, 2 * line + 6), QPointF(size.width() - 40.0, size.height() - line - 6));
+    // Above it two rows of names and two of values, two of values below.
+    return QRectF(QPointF(40, 4 * line + 8), QPointF(size.width() - 40.0, size.height() - 2 * line - 8));
 }
 
 double StudyParallelChart::axis_x(std::size_t axis, const QRectF& in) const {
@@ -135,6 +136,18 @@ QString StudyParallelChart::end_text(const Axis& axis, bool high) const {
     return measure_text(axis.measure, high ? axis.high : axis.low);
 }
 
+/// What belongs to an axis, in one of two rows from `top` on: neighbours stand in different ones, so that
+/// each has twice the room.
+void StudyParallelChart::paint_at_axis(QPainter& p, const QRectF& in, std::size_t axis, const QString& words,
+                                       double top) const {
+    const QFontMetricsF metrics(font());
+    const double room = axes_.size() > 1 ? in.width() / double(axes_.size() - 1) : in.width();
+    const QString fitting = metrics.elidedText(words, Qt::ElideRight, std::max(2 * room - 8, 60.0));
+    const double half = metrics.horizontalAdvance(fitting) / 2;
+    const double at = std::clamp(axis_x(axis, in), half + 2, std::max(half + 2, in.right() + 38 - half));
+    p.drawText(QPointF(at - half, top + (axis % 2 == 0 ? 0 : metrics.height()) + metrics.ascent()), fitting);
+}
+
 void StudyParallelChart::paint_axes(QPainter& p, const QRectF& in, const StudyChartLook& look) const {
     const QFontMetricsF metrics(font());
     const double line = metrics.height();
@@ -144,29 +157,25 @@ void StudyParallelChart::paint_axes(QPainter& p, const QRectF& in, const StudyCh
         const double x = axis_x(a, in);
         p.setPen(QPen(look.ink, 1.2));
         p.drawLine(QPointF(x, in.top()), QPointF(x, in.bottom()));
-        // Names of neighbours stand in two rows, so that each has twice the room.
-        const double width = 2 * room - 8;
-        const QString name = metrics.elidedText(axis.name, Qt::ElideRight, std::max(width, 60.0));
-        const double half = metrics.horizontalAdvance(name) / 2;
-        const double at = std::clamp(x, half + 2, std::max(half + 2, in.right() + 38 - half));
-        p.drawText(QPointF(at - half, (a % 2 == 0 ? 0 : line) + metrics.ascent() + 2), name);
+        paint_at_axis(p, in, a, axis.name, 2);
         p.setPen(look.quiet);
         if (axis.variation) {
             const QStringList& labels = figures()->choices[*axis.variation];
             if (double(labels.size()) * line > in.height() * 1.2) continue;
             for (qsizetype c = 0; c < labels.size(); ++c) {
                 const double y = in.bottom() - (double(c) + 0.5) / double(labels.size()) * in.height();
-                p.drawText(QPointF(x + 4, y - 3),
-                           metrics.elidedText(labels[c], Qt::ElideRight,
-                                              a + 1 < axes_.size() ? std::max(room - 10, 20.0) : 36));
+                const QString label = metrics.elidedText(
+                    labels[c], Qt::ElideRight, a + 1 < axes_.size() ? std::max(room - 10, 20.0) : 36);
+                const QPointF at(x + 4, y - 3);
+                // Lines are many, and go through it.
+                QColor ground = look.ground;
+                ground.setAlpha(200);
+                p.fillRect(metrics.boundingRect(label).translated(at).adjusted(-1, 0, 1, 0), ground);
+                p.drawText(at, label);
             }
         } else {
-            for (const bool high : {true, false}) {
-                const QString words = end_text(axis, high);
-                const double w = metrics.horizontalAdvance(words);
-                const double left = a + 1 < axes_.size() ? x + 4 : x - w - 4;
-                p.drawText(QPointF(left, high ? in.top() + metrics.ascent() : in.bottom() - 2), words);
-            }
+            paint_at_axis(p, in, a, end_text(axis, true), 2 * line + 4);
+            paint_at_axis(p, in, a, end_text(axis, false), in.bottom() + 4);
         }
         if (!axis.range) continue;
         QColor band = look.attention;

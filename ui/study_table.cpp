@@ -83,7 +83,8 @@ private:
     QString shown(std::size_t i, int column) const {
         const StudyRow& row = figures_->rows[i];
         if (column == number_of_candidate) return QString::number(i);
-        if (column == standing_of_candidate) return standing_label(row.standing);
+        if (column == standing_of_candidate)
+            return row.waiting && !row.looks[0] ? QStringLiteral("–") : standing_label(row.standing);
         if (column == looked_at) return looked(row);
         if (column < first_measure()) {
             const int v = column - first_variation;

@@ -11,6 +11,7 @@
 #include "ui/study_figures.h"
 #include "ui/study_form.h"
 #include "ui/study_place.h"
+#include "ui/study_table.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -50,7 +51,7 @@ for word; do
 done
 echo "$script" >>"$(dirname "$0")/jobs"
 if [ -n "$depends" ]; then
-    (for _ in 1 2 3 4 5 6 7 8 9 10; do sleep 0.2; sh "$script" && break; done) >/dev/null 2>&1 </dev/null &
+    (while [ -e "$script" ]; do sleep 0.2; sh "$script" && break; done) >/dev/null 2>&1 </dev/null &
 else
     i=0
     while [ $((i += 1)) -le "$count" ]; do SLURM_ARRAY_TASK_ID=$i sh "$script" >/dev/null 2>&1 </dev/null; done
@@ -136,6 +137,7 @@ private slots:
         study().start();
         QVERIFY(settled());
         QVERIFY(dialog().stop_button()->isEnabled());
+        QCOMPARE(standing_of_last(), QStringLiteral("–")); // nobody has looked at it
         QTest::mouseClick(dialog().stop_button(), Qt::LeftButton);
         QVERIFY2(dialog().status().contains(QStringLiteral("scancel")), qPrintable(dialog().status()));
         QVERIFY(dialog().start_button()->isEnabled());
@@ -226,6 +228,11 @@ private:
     void ask() {
         type_over(values("tolerance"), QStringLiteral("0.02; 0.03"));
         type_over(values("direction"), QStringLiteral("x; y"));
+    }
+    /// Of the last line of the table.
+    QString standing_of_last() {
+        const QAbstractItemModel& lines = *dialog().table()->model();
+        return lines.index(lines.rowCount() - 1, 1).data().toString();
     }
     void choose_place(StudyPlace::Where where) {
         auto* place = dialog().findChild<QComboBox*>(QStringLiteral("study_place"));
