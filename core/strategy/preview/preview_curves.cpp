@@ -36,7 +36,7 @@ PreviewRing ring_of(const RadialCommon& settings, const PreviewRequest& request,
     for (const double cx : {x.lo, x.hi})
         for (const double cy : {y.lo, y.hi})
             ring.to = std::max(ring.to, (Vec2(cx, cy) - ring.center).norm());
-    if (settings.to_radius.is_number()) ring.to = settings.to_radius.number;
+    if (settings.to_radius.is_number()) ring.to = std::min(ring.to, settings.to_radius.number);
     if (!(ring.to > ring.from))
         throw Error(ErrorCode::out_of_range, settings.name, "between its radii there is nothing",
                     "let it end farther out than it begins");
