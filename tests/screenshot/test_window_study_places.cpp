@@ -1,7 +1,7 @@
 // Studies that are worked on elsewhere, from their page: by another computer, where a script stands for ssh,
 // and by a cluster, where a script stands for sbatch. With FACETMILL_SLURM=1 in the environment the Slurm
 // that is there is used (tests/faults/study_on_slurm begins one).
-#include "core/base/file.h"
+#include "core/setup/machine.h"
 #include "core/study/study_folder.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/controllers.h"
@@ -12,6 +12,7 @@
 #include "ui/study_form.h"
 #include "ui/study_place.h"
 #include "ui/study_table.h"
+#include "ui/worded.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -183,11 +184,11 @@ private slots:
                 if (tree().topLevelItem(i)->child(k)->text(0) == QStringLiteral("Machine"))
                     machine = tree().topLevelItem(i)->child(k);
         QVERIFY(machine && machine->childCount() > 1);
+        const QString label = ui::worded(find_machine("tarus-tpi-2000").label);
         int ticked = 0;
         for (int k = 0; k < machine->childCount(); ++k) {
             QTreeWidgetItem* one = machine->child(k);
-            if (one->checkState(0) == Qt::Checked || one->text(0) != QStringLiteral("tarus-tpi-2000"))
-                continue;
+            if (one->checkState(0) == Qt::Checked || one->text(0) != label) continue;
             one->setCheckState(0, Qt::Checked);
             ++ticked;
         }
