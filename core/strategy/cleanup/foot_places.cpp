@@ -16,7 +16,6 @@ namespace {
 
 /// Samples are so far apart, in radii of the smaller cutter; farther where there would be more than so many.
 constexpr double foot_sample_share = 0.15, max_foot_samples = 1e6;
-constexpr std::size_t facets_per_check = 4096;
 
 /// An upright cutter whose tip is kept at or above a level.
 class KeptCutter {
