@@ -55,8 +55,10 @@ void conclude(const StudyFolder& folder, const StudyOutcome& outcome, Session& s
     check_winner(folder, outcome);
 }
 
-void go_on_by_slurm(const StudyFolder& folder, const Arguments& arguments, Session& session) {
+void go_on_by_slurm(const StudyFolder& folder, const Arguments& arguments, Session& session,
+                    double patience) {
     SlurmSettings settings;
+    settings.patience = patience;
     settings.program = fs::read_symlink("/proc/self/exe");
     settings.threads = count_of(arguments, "--threads", 1);
     if (arguments.has("--workers")) settings.workers = count_of(arguments, "--workers", 1);
@@ -73,7 +75,7 @@ void carry_out(const StudyFolder& folder, const Arguments& arguments, Session& s
     const std::string on = arguments.value("--on", "local");
     if (on == "slurm") {
         begin_slurm(folder);
-        return go_on_by_slurm(folder, arguments, session);
+        return go_on_by_slurm(folder, arguments, session, 0);
     }
     constexpr std::string_view ssh = "ssh:";
     if (on != "local" && !on.starts_with(ssh))
@@ -149,8 +151,10 @@ void run_study_command(const Arguments& arguments, Session& session) {
     if (what == "show") return run_show(arguments, session);
     if (what == "adopt") return run_adopt(arguments, session);
     if (what == "work") return run_work(arguments, session);
+    constexpr double gather_patience = 60; // s: who handed the step over may be slow to let go of the folder
     if (what == "gather")
-        return go_on_by_slurm(StudyFolder(arguments.operand(1), study_program()), arguments, session);
+        return go_on_by_slurm(StudyFolder(arguments.operand(1), study_program()), arguments, session,
+                              gather_patience);
     throw Error(ErrorCode::usage, "study", "'" + printable(what) + "' is nothing that is done with a study",
                 "give run and a study, or resume, show or adopt and its folder");
 }

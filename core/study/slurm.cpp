@@ -5,9 +5,11 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
+#include <thread>
 
 #include <unistd.h>
 
@@ -166,9 +168,28 @@ SlurmStep hand_to_slurm(const StudyFolder& folder, const std::vector<StudyWork>&
     return step;
 }
 
+namespace {
+
+/// Who handed a step over may still have the folder when the job after it begins.
+detail::FileLock lock_patiently(const StudyFolder& folder, double seconds, const Progress& progress) {
+    constexpr auto pause = std::chrono::milliseconds(20);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    for (;;) {
+        try {
+            return lock_study(folder);
+        } catch (const Error& e) {
+            if (e.code() != ErrorCode::unwritable || std::chrono::steady_clock::now() >= end) throw;
+        }
+        progress.check();
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+} // namespace
+
 SlurmRun go_on_with_slurm(const StudyFolder& folder, const SlurmSettings& settings,
                           const Progress& progress) {
-    const detail::FileLock lock = lock_study(folder);
+    const detail::FileLock lock = lock_patiently(folder, settings.patience, progress);
     SlurmRun run{look_at_study(folder, lost_by_slurm(folder), progress), std::nullopt};
     if (!run.outcome.decision.missing.empty())
         run.step = hand_to_slurm(folder, missing_work(folder, run.outcome), settings, progress);

@@ -18,6 +18,7 @@ struct SlurmSettings {
     std::filesystem::path program; ///< this one, where the machines have it
     std::size_t workers = 0;       ///< at once; 0: as many as Slurm begins
     std::size_t threads = 1;       ///< of each
+    double patience = 0;           ///< s: how long another run may still have the folder
 };
 
 struct SlurmStep {
