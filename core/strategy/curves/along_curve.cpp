@@ -172,14 +172,7 @@ std::vector<PlanCurve> followed_curves(const PlanContext& context, std::size_t i
             progress.part(0.5, 1));
         curves = joined_loops(region.border());
     }
-    for (PlanCurve& curve : curves) {
-        if (open)
-            curve.closed = false;
-        else if (curve.closed && turned_area(curve) < 0)
-            curve = reversed(std::move(curve));
-    }
-    std::erase_if(curves, [](const PlanCurve& c) { return c.points.size() < 2; });
-    return curves;
+    return ready_to_follow(std::move(curves), open);
 }
 
 const ParameterTable<AlongCurveSettings>& along_curve_parameters() {

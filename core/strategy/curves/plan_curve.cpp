@@ -159,6 +159,17 @@ PlanCurve reversed(PlanCurve curve) {
     return curve;
 }
 
+std::vector<PlanCurve> ready_to_follow(std::vector<PlanCurve> curves, bool open) {
+    for (PlanCurve& curve : curves) {
+        if (open)
+            curve.closed = false;
+        else if (curve.closed && turned_area(curve) < 0)
+            curve = reversed(std::move(curve));
+    }
+    std::erase_if(curves, [](const PlanCurve& c) { return c.points.size() < 2; });
+    return curves;
+}
+
 std::vector<PlanCurve> joined_loops(std::span<const PlanEdge> edges) {
     double size = 0;
     for (const PlanEdge& e : edges)

@@ -22,6 +22,9 @@ std::vector<PlanCurve> joined_loops(std::span<const PlanEdge> edges);
 double turned_area(const PlanCurve& curve);
 /// The curve run the other way.
 PlanCurve reversed(PlanCurve curve);
+/// Curves as a tool follows them: closed ones counter-clockwise, or, where asked for `open`, none closed;
+/// without those that lead nowhere.
+std::vector<PlanCurve> ready_to_follow(std::vector<PlanCurve> curves, bool open);
 
 /// A curve by its length from its first point. Equal points one after the other are one.
 class CurveCourse {

@@ -59,14 +59,7 @@ std::vector<PlanCurve> asked_curves(const PreviewRequest& request, std::size_t i
             cells[k] = ground.on_part(k) && (request.asked.empty() || request.asked[k]);
         curves = cell_outlines(cells, ground.grid());
     }
-    for (PlanCurve& curve : curves) {
-        if (open)
-            curve.closed = false;
-        else if (curve.closed && turned_area(curve) < 0)
-            curve = reversed(std::move(curve));
-    }
-    std::erase_if(curves, [](const PlanCurve& c) { return c.points.size() < 2; });
-    return curves;
+    return ready_to_follow(std::move(curves), open);
 }
 
 void check_lines(double wanted) {

@@ -217,14 +217,10 @@ std::vector<std::vector<Vec3>> LevelSlicer::lines(double z) const {
     return at_height(contours.chains(), z, 0.1 * grid.cell);
 }
 
-void lay_levels(const PreviewField& field, const PreviewLevels& levels, PassPreview& preview,
-                const Progress& progress) {
-    const LevelSlicer slicer(field, levels.slopes);
-    const std::vector<double> heights = level_heights(field, slicer, levels);
-    const std::size_t every = std::max<std::size_t>(1, (heights.size() + max_levels - 1) / max_levels);
-    std::vector<std::vector<std::vector<Vec3>>> made((heights.size() + every - 1) / every);
-    parallel_for(made.size(), 1, progress,
-                 [&](std::size_t i) { made[i] = slicer.lines(heights[i * every]); });
+namespace {
+
+/// The lines of the levels that are drawn, one in so many of them.
+void add_levels(std::vector<std::vector<std::vector<Vec3>>>& made, std::size_t every, PassPreview& preview) {
     std::size_t cut = 0;
     for (auto& lines : made) {
         cut += lines.empty() ? 0 : 1;
@@ -233,6 +229,19 @@ void lay_levels(const PreviewField& field, const PreviewLevels& levels, PassPrev
     }
     preview.passes += cut * every;
     preview.drawn_every = std::max(preview.drawn_every, every);
+}
+
+} // namespace
+
+void lay_levels(const PreviewField& field, const PreviewLevels& levels, PassPreview& preview,
+                const Progress& progress) {
+    const LevelSlicer slicer(field, levels.slopes);
+    const std::vector<double> heights = level_heights(field, slicer, levels);
+    const std::size_t every = std::max<std::size_t>(1, (heights.size() + max_levels - 1) / max_levels);
+    std::vector<std::vector<std::vector<Vec3>>> made((heights.size() + every - 1) / every);
+    parallel_for(made.size(), 1, progress,
+                 [&](std::size_t i) { made[i] = slicer.lines(heights[i * every]); });
+    add_levels(made, every, preview);
 }
 
 namespace {
@@ -300,14 +309,7 @@ void lay_layers(const PreviewField& field, const Box3& stock, const std::vector<
         for (auto& line : slicer.lines(free.z))
             made[i].push_back(std::move(line));
     });
-    std::size_t cut = 0;
-    for (auto& layer : made) {
-        cut += layer.empty() ? 0 : 1;
-        for (auto& line : layer)
-            preview.lines.push_back(std::move(line));
-    }
-    preview.passes += cut * every;
-    preview.drawn_every = std::max(preview.drawn_every, every);
+    add_levels(made, every, preview);
 }
 
 std::vector<PlanCurve> cell_outlines(const std::vector<char>& cells, const CoarseGrid& grid) {
