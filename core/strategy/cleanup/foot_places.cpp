@@ -26,7 +26,8 @@ public:
     /// How far from a place of the part it stays; n is its normal, n.z above 0.
     double gap(const Vec3& p, const Vec3& n, LiftHint& hint) const {
         const Vec3 touching = p + cover_.tip_offset(n);
-        double least = left_at(p, touching, hint);
+        // In a hollow the flanks hold it up where it would touch: straight above it may come nearer.
+        const double least = std::min(left_at(p, touching, hint), left_at(p, p, hint));
         const double below = lowest_ - touching.z();
         if (!(below > 0) || n.z() > tolerance::level_normal_z) return least;
         // Up the slope to the level it comes nearer than straight up.
