@@ -301,8 +301,8 @@ TurnedGround::TurnedGround(const LatheCommon& settings, const PlanContext& conte
                            const Progress& progress) {
     const LatheFrame frame(settings, context);
     const Mesh& mesh = *context.part;
-    const Vec3 point = frame.axis().point, direction = frame.axis().direction, zero = frame.zero(),
-               side = direction.cross(zero);
+    const Vec3 &point = frame.axis().point, &direction = frame.axis().direction, &zero = frame.zero();
+    const Vec3 side = direction.cross(zero);
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
         if (f % 8192 == 0) progress.check();
         for (int k = 0; k < 3; ++k) {
