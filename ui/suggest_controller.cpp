@@ -77,7 +77,7 @@ QStringList reasons_of(const Suggestions& all, std::size_t i) {
             least = std::min(least, other.seconds);
         if (least > 0)
             reasons << SuggestController::tr("Takes %1 times as long as the quickest")
-                           .arg(number_text(s.seconds / least, 2));
+                           .arg(number_text(s.seconds / least, 3));
     }
     if (!s.result.passed)
         reasons
