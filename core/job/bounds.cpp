@@ -99,6 +99,13 @@ Boundary with_facets_of_faces(const Boundary& boundary, const PreparedPart& part
     return made;
 }
 
+PlanCurve curve_seen(const Boundary& boundary, const Mat3& turn) {
+    PlanCurve curve{{}, true};
+    for (const CurveCorner& corner : boundary.curve)
+        curve.points.emplace_back((turn * Vec3(corner.at[0], corner.at[1], corner.at[2])).head<2>());
+    return curve;
+}
+
 NamedCurves BoundsCache::curves(const Project& project, const std::string& name, const Progress& progress) {
     NamedCurves curves{name, {}};
     if (name.empty()) return curves;
@@ -107,10 +114,7 @@ NamedCurves BoundsCache::curves(const Project& project, const std::string& name,
         curves.all = joined_loops(region(project, boundary, progress)->border());
         return curves;
     }
-    PlanCurve curve{{}, true};
-    for (const CurveCorner& corner : boundary.curve)
-        curve.points.emplace_back((turn_ * Vec3(corner.at[0], corner.at[1], corner.at[2])).head<2>());
-    curves.all.push_back(std::move(curve));
+    curves.all.push_back(curve_seen(boundary, turn_));
     return curves;
 }
 

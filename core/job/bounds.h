@@ -26,6 +26,10 @@ std::string bounds_key(const Project& project, const Operation& operation);
 /// 'NAME'".
 Boundary with_facets_of_faces(const Boundary& boundary, const PreparedPart& part);
 
+/// A boundary that is drawn as a curve, in the plane, looked at along the tool axis that `turn` makes
+/// upright.
+PlanCurve curve_seen(const Boundary& boundary, const Mat3& turn);
+
 /// Boundaries of a part, each made once.
 class BoundsCache {
 public:

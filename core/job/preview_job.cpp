@@ -21,12 +21,9 @@ constexpr std::size_t max_views = 2;
 std::vector<char> cells_in_curve(const Boundary& boundary, const Mat3& turn, const CoarseGrid& grid,
                                  const Progress& progress) {
     std::vector<PlanEdge> edges;
-    const auto at = [&](std::size_t i) {
-        const auto& c = boundary.curve[i % boundary.curve.size()].at;
-        return Vec2((turn * Vec3(c[0], c[1], c[2])).head<2>());
-    };
-    for (std::size_t i = 0; i < boundary.curve.size(); ++i)
-        edges.push_back({at(i), at(i + 1)});
+    const std::vector<Vec2> at = curve_seen(boundary, turn).points;
+    for (std::size_t i = 0; i < at.size(); ++i)
+        edges.push_back({at[i], at[(i + 1) % at.size()]});
     const PlanRegion region(std::move(edges), progress);
     std::vector<char> cells(grid.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -179,11 +176,7 @@ PassPreview PassPreviewer::preview(const Project& project, std::size_t i, const 
         NamedCurves curves{name, {}};
         const Boundary* boundary = name.empty() ? nullptr : &project.boundary_of(name);
         if (boundary && boundary->kind == Boundary::Kind::curve) {
-            PlanCurve curve{{}, true};
-            for (const CurveCorner& corner : boundary->curve)
-                curve.points.emplace_back(
-                    (view.turn * Vec3(corner.at[0], corner.at[1], corner.at[2])).head<2>());
-            curves.all.push_back(std::move(curve));
+            curves.all.push_back(curve_seen(*boundary, view.turn));
         } else if (boundary) {
             curves.all = cell_outlines(cells(project, name, part, view, progress), view.ground->grid());
         }

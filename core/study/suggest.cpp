@@ -2,6 +2,7 @@
 
 #include "core/job/axis_view.h"
 #include "core/job/new_operation.h"
+#include "core/job/project_setup.h"
 #include "core/job/verification.h"
 #include "core/job/verify_limits.h"
 #include "core/strategy/surface/slope_facets.h"
@@ -35,17 +36,6 @@ const Tool* largest_round(const Project& project) {
         if (t.corner_radius > 0 && t.taper_angle >= 0 && (!best || t.corner_radius > best->corner_radius))
             best = &t;
     return best;
-}
-
-std::string free_name(const Project& project, const std::string& wish) {
-    const auto taken = [&](const std::string& name) {
-        return std::ranges::any_of(project.operations,
-                                   [&](const auto& o) { return o->common().name == name; });
-    };
-    std::string name = wish;
-    for (int k = 2; taken(name); ++k)
-        name = wish + ' ' + std::to_string(k);
-    return name;
 }
 
 /// The shown setup with its roughing alone.
@@ -142,7 +132,7 @@ private:
     Project candidate(const Operation& operation) const {
         Project candidate = rough_;
         candidate.operations.push_back(operation.clone());
-        candidate.operations.back()->common().name = free_name(rough_, operation.common().name);
+        candidate.operations.back()->common().name = free_operation_name(rough_, operation.common().name);
         return candidate;
     }
 

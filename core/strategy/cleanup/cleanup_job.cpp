@@ -25,7 +25,7 @@ StripCutting CleanupJob::cutting() const {
     with.standing = &standing;
     with.allowance = allowance;
     // Moves may stay off the part by the chord tolerance, so passes leave that much less.
-    with.cusp = std::max(cusp - chord, 0.5 * cusp);
+    with.cusp = standing_cusp(cusp, chord);
     with.chord = chord;
     with.overlap = overlap;
     with.along_z = settings.lift == CleanupSettings::Lift::z;

@@ -10,6 +10,7 @@
 #include "core/strategy/curves/plan_curve.h"
 #include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/finish3/uncut.h"
+#include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/operation.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/cutter_cover.h"
@@ -72,7 +73,7 @@ public:
 
     double radius() const { return cover.radius(); }
     /// What two passes may leave, so that with the chord tolerance it is no more than is allowed.
-    double gap_cusp() const { return std::max(cusp_allowed - chord, 0.5 * cusp_allowed); }
+    double gap_cusp() const { return standing_cusp(cusp_allowed, chord); }
     /// The step that leaves that on a level plane, no more than the cutter's diameter.
     double level_step() const { return level_step_; }
     LiftField field() const { return {&lift, domain.lowest_tip()}; }

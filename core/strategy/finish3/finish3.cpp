@@ -123,7 +123,7 @@ StepOverInput Planner::input_for(double direction, ContactDomain& domain) const 
     input.frame = DriveFrame(direction);
     input.allowance = allowance_;
     input.floor = domain.lowest_tip();
-    input.cusp = std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_);
+    input.cusp = standing_cusp(cusp_allowed_, chord_);
     input.merge = fine_.spacing;
     input.look = settings_.look;
     return input;

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/setup/kinematics.h"
+#include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/plan_text.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ LathePath::LathePath(const LatheCommon& s, const PlanContext& context, double al
     std::function<double(double)> advance;
     std::optional<SideFeed> feed;
     base_.cusp_max = cusp; // motions take their share of it
-    const double standing = std::max(cusp - chord, 0.5 * cusp), aimed = s.aimed_share * standing;
+    const double standing = standing_cusp(cusp, chord), aimed = s.aimed_share * standing;
     const auto look = [&](const Progress& part) {
         reach_ = lathe_reach(s, *field_, context, range_, standing, {across_turns, advance}, part);
     };

@@ -172,7 +172,7 @@ private:
     /// Contacts on drive planes, as far apart as the strips of a tool that leans as little as it may.
     void tilted(const Finish5Settings& s, const Interval& leads, const Progress& progress) {
         const double budget = cusp_budget(common_, request_.context);
-        const double cusp = std::max(budget - chord_budget(s.chord_tolerance, budget), 0.5 * budget);
+        const double cusp = standing_cusp(budget, chord_budget(s.chord_tolerance, budget));
         const AptCutter shape = cutter_.cutter();
         const double rounding = std::min(shape.r, cutter_.max_radius()),
                      disc = cutter_.max_radius() - rounding;
@@ -213,10 +213,7 @@ private:
             bends.push_back(
                 std::max(0.0, (2 * z - *a - *b) / (apart * apart) / std::pow(1 + rise * rise, 1.5)));
         }
-        if (bends.empty()) return 0;
-        const auto at = bends.begin() + std::ptrdiff_t(0.75 * double(bends.size() - 1));
-        std::nth_element(bends.begin(), at, bends.end());
-        return *at;
+        return bends.empty() ? 0 : share_below(bends, 0.75);
     }
 
     void about(const RadialCommon& settings, bool winding, const Progress& progress) {

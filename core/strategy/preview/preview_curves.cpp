@@ -253,14 +253,9 @@ std::vector<PlanLine> beside_lines(const AlongCurveSettings& settings, const Pre
 void lay_everywhere(const CoarseTips& tips, const PlanLine& line, double rise,
                     std::vector<std::vector<Vec3>>& lines) {
     std::vector<Vec3> run;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2 d = line[i + 1] - line[i];
-        const int steps = std::max(1, int(std::ceil(d.norm() / tips.spacing())));
-        for (int k = i == 0 ? 0 : 1; k <= steps; ++k) {
-            const Vec2 p = line[i] + double(k) / steps * d;
-            run.emplace_back(p.x(), p.y(), tips.height(p).value_or(tips.ground().bottom()) + rise);
-        }
-    }
+    along_line(line, tips.spacing(), [&](const Vec2& p) {
+        run.emplace_back(p.x(), p.y(), tips.height(p).value_or(tips.ground().bottom()) + rise);
+    });
     if (run.size() > 1) lines.push_back(std::move(run));
 }
 

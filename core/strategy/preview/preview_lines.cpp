@@ -19,13 +19,13 @@ constexpr double steeper_share = 0.25;
 /// No line is nearer to its neighbour than this share of the step on level ground.
 constexpr double nearest_share = 0.15;
 
+} // namespace
+
 double share_below(std::vector<double>& values, double share) {
     const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
-
-} // namespace
 
 double PreviewStep::on_slope(double rise) const {
     if (fixed) return level;
@@ -43,7 +43,7 @@ PreviewStep preview_step(const OperationCommon& common, const NumberOrWord& aske
                          const PlanContext& context) {
     const double budget = cusp_budget(common, context);
     PreviewStep step;
-    step.cusp = std::max(budget - chord_budget(chord, budget), 0.5 * budget);
+    step.cusp = standing_cusp(budget, chord_budget(chord, budget));
     const AptCutter shape = context.tool.cutter();
     const CutterCover cover(CutterProfile(shape), cusp_detail(budget));
     step.level = asked.is_number() ? asked.number : level_step_of(cover, step.cusp);
@@ -128,12 +128,7 @@ void PreviewField::lay_by(const PlanLine& line, const Height& height,
         }
         run.push_back(q);
     };
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2 d = line[i + 1] - line[i];
-        const int steps = std::max(1, int(std::ceil(d.norm() / grid().cell)));
-        for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
-            go(line[i] + double(k) / steps * d);
-    }
+    along_line(line, grid().cell, go);
     end_run();
 }
 

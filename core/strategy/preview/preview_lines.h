@@ -9,6 +9,8 @@
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/drive_frame.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace facetmill {
@@ -60,6 +62,20 @@ private:
     std::vector<char> kept_;
     bool any_ = false;
 };
+
+/// use(place) for places along a line, its corners among them, no farther apart than `apart`.
+template <class Use>
+void along_line(const PlanLine& line, double apart, const Use& use) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Vec2 d = line[i + 1] - line[i];
+        const int steps = std::max(1, int(std::ceil(d.norm() / apart)));
+        for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
+            use(Vec2(line[i] + double(k) / steps * d));
+    }
+}
+
+/// The value that this share of some does not exceed; reorders them, which are not none.
+double share_below(std::vector<double>& values, double share);
 
 /// Lays lines, as many of them as may be drawn, and counts all.
 void lay_lines(const std::vector<PlanLine>& lines,

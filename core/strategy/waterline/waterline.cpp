@@ -134,7 +134,7 @@ void WaterlinePlanner::find_levels(const Progress& progress) {
     const double spacing = grid_spacing();
     const double longest =
         settings_.max_stepdown.is_number() ? settings_.max_stepdown.number : 2 * cover_.radius();
-    steps_.emplace(cover_, std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_), longest);
+    steps_.emplace(cover_, standing_cusp(cusp_allowed_, chord_), longest);
     choice_.emplace(*steps_, slopes_, spacing);
     if (!has_slopes(progress)) refuse_slopes();
     const Box3 box = context_.part->box();
