@@ -16,27 +16,34 @@ constexpr double min_jump = 0.12;
 constexpr double fall_share = 0.02;
 /// Strides of the tip on its way to the other flank, and how far it goes, in radii.
 constexpr double stride_share = 0.15, farthest_share = 2.2;
-constexpr int seed_halvings = 30;
+/// The other flank is found to so many halvings of a stride, where a valley is followed; most samples lie in
+/// valleys that are known by then, and say so sooner.
+constexpr int seed_halvings = 30, about_halvings = 10;
 
-/// Moves the tip from a sample's until another flank holds it.
-std::optional<PencilPoint> seed_from(const PencilProbe& probe, double radius, const RestSample& s) {
-    const Vec2 at = s.tip.head<2>();
-    CutterTouch last = probe.touch_at(at);
-    if (!last.valid) return std::nullopt;
-    Vec2 ahead = (last.normal - s.normal).head<2>();
-    if (ahead.norm() < tolerance::level_angle) ahead = -s.normal.head<2>();
-    if (ahead.norm() < tolerance::level_angle) return std::nullopt;
-    ahead.normalize();
+/// Moves the tip on, starting from a place where `last` is touched, until another flank holds it.
+std::optional<PencilSeed> seed_on(const PencilProbe& probe, const Vec2& at, const Vec2& ahead,
+                                  CutterTouch last, int halvings) {
     const auto touch = [&](double x) { return probe.touch_at(at + x * ahead); };
-    const double stride = stride_share * radius;
-    for (double x = 0; x < farthest_share * radius; x += stride) {
+    const double stride = stride_share * probe.radius();
+    for (double x = 0; x < farthest_share * probe.radius(); x += stride) {
         const CutterTouch next = touch(x + stride);
         if (!next.valid) return std::nullopt;
-        if (const auto jump = probe.jump(touch, x, x + stride, last, next, seed_halvings))
-            return probe.pencil((*jump)[0], (*jump)[1]);
+        if (const auto jump = probe.jump(touch, x, x + stride, last, next, halvings))
+            return PencilSeed{probe.pencil((*jump)[0], (*jump)[1]), at + x * ahead, ahead};
         last = next;
     }
     return std::nullopt;
+}
+
+/// From a sample away from the flank that holds the cutter up there.
+std::optional<PencilSeed> seed_from(const PencilProbe& probe, const RestSample& s) {
+    const Vec2 at = s.tip.head<2>();
+    const CutterTouch touch = probe.touch_at(at);
+    if (!touch.valid) return std::nullopt;
+    Vec2 ahead = (touch.normal - s.normal).head<2>();
+    if (ahead.norm() < tolerance::level_angle) ahead = -s.normal.head<2>();
+    if (ahead.norm() < tolerance::level_angle) return std::nullopt;
+    return seed_on(probe, at, ahead.normalized(), touch, about_halvings);
 }
 
 } // namespace
@@ -93,8 +100,15 @@ PencilPoint turned_round(PencilPoint p) {
     return p;
 }
 
-std::vector<PencilPoint> pencil_seeds(const ValleyInput& input, const std::vector<RestSample>& samples,
-                                      const Progress& progress) {
+std::optional<PencilPoint> pencil_at(const PencilProbe& probe, const PencilSeed& seed) {
+    const CutterTouch touch = probe.touch_at(seed.from);
+    if (!touch.valid) return std::nullopt;
+    const auto found = seed_on(probe, seed.from, seed.ahead, touch, seed_halvings);
+    return found ? std::optional(found->about) : std::nullopt;
+}
+
+std::vector<PencilSeed> pencil_seeds(const ValleyInput& input, const std::vector<RestSample>& samples,
+                                     const Progress& progress) {
     const PencilProbe probe(input);
     const ValleyScale scale(input);
     // One sample a cell is enough to meet every curve many times.
@@ -102,10 +116,10 @@ std::vector<PencilPoint> pencil_seeds(const ValleyInput& input, const std::vecto
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < samples.size(); ++i)
         if (seen.add_first(samples[i].point)) chosen.push_back(i);
-    std::vector<std::optional<PencilPoint>> found(chosen.size());
+    std::vector<std::optional<PencilSeed>> found(chosen.size());
     parallel_for(chosen.size(), 32, progress,
-                 [&](std::size_t i) { found[i] = seed_from(probe, scale.radius, samples[chosen[i]]); });
-    std::vector<PencilPoint> seeds;
+                 [&](std::size_t i) { found[i] = seed_from(probe, samples[chosen[i]]); });
+    std::vector<PencilSeed> seeds;
     for (const auto& f : found)
         if (f) seeds.push_back(*f);
     return seeds;

@@ -19,6 +19,8 @@ class PencilProbe {
 public:
     explicit PencilProbe(const ValleyInput& input) : in_(input), radius_(input.cover->radius()) {}
 
+    double radius() const { return radius_; }
+
     /// Touched points on the same flank move by no more than this between two steps, in radii.
     static constexpr double max_move = 0.45;
 
@@ -64,9 +66,17 @@ private:
 /// The same place of a curve that is followed the other way: left and right change sides.
 PencilPoint turned_round(PencilPoint p);
 
+/// A place on a valley, about: good enough to say whether the valley is known.
+struct PencilSeed {
+    PencilPoint about;
+    Vec2 from, ahead; ///< where the tip was a stride before, and where it went, unit
+};
+
 /// Places on valleys, from the samples where the cutter leaves something: its tip is moved away from the
 /// flank that holds it up until another one does.
-std::vector<PencilPoint> pencil_seeds(const ValleyInput& input, const std::vector<RestSample>& samples,
-                                      const Progress& progress);
+std::vector<PencilSeed> pencil_seeds(const ValleyInput& input, const std::vector<RestSample>& samples,
+                                     const Progress& progress);
+/// The place to rounding; nothing where it turns out to be none.
+std::optional<PencilPoint> pencil_at(const PencilProbe& probe, const PencilSeed& seed);
 
 } // namespace facetmill

@@ -31,11 +31,14 @@ public:
     explicit ValleyTracer(const ValleyInput& input)
         : in_(input), probe_(input), scale_(input), done_(scale_.step) {}
 
-    std::vector<TracedValley> run(const std::vector<PencilPoint>& seeds, const Progress& progress) {
+    std::vector<TracedValley> run(const std::vector<PencilSeed>& seeds, const Progress& progress) {
         for (std::size_t i = 0; i < seeds.size(); ++i) {
             progress.set(double(i) / double(seeds.size()));
-            if (near_done(seeds[i], known_steps * scale_.step)) continue;
-            if (auto valley = follow(seeds[i], progress)) keep(std::move(*valley));
+            const double known = known_steps * scale_.step;
+            if (near_done(seeds[i].about, known)) continue;
+            const auto seed = pencil_at(probe_, seeds[i]);
+            if (!seed || near_done(*seed, known)) continue;
+            if (auto valley = follow(*seed, progress)) keep(std::move(*valley));
         }
         return std::move(valleys_);
     }
@@ -230,7 +233,7 @@ private:
 
 } // namespace
 
-std::vector<TracedValley> trace_valleys(const ValleyInput& input, const std::vector<PencilPoint>& seeds,
+std::vector<TracedValley> trace_valleys(const ValleyInput& input, const std::vector<PencilSeed>& seeds,
                                         const Progress& progress) {
     return ValleyTracer(input).run(seeds, progress);
 }

@@ -1,7 +1,7 @@
 // The curves along which a cutter touches twice, followed from places on them. Millimetres, part coordinates.
 #pragma once
 
-#include "core/strategy/cleanup/valley.h"
+#include "core/strategy/cleanup/pencil_probe.h"
 
 namespace facetmill {
 
@@ -15,7 +15,7 @@ struct TracedValley {
 };
 
 /// Curves that two seeds are on come once.
-std::vector<TracedValley> trace_valleys(const ValleyInput& input, const std::vector<PencilPoint>& seeds,
+std::vector<TracedValley> trace_valleys(const ValleyInput& input, const std::vector<PencilSeed>& seeds,
                                         const Progress& progress);
 
 } // namespace facetmill
