@@ -42,6 +42,7 @@ struct Extent {
 struct Row {
     std::vector<double> offsets; ///< left positive
     std::vector<ValleySpot> spots;
+    std::vector<double> left; ///< what stays between it and the row before; 0 where not both have a place
 };
 
 /// Says of each point of a curve whether something is to be done there.
@@ -158,7 +159,7 @@ public:
 
     StripCut run(const Progress& progress) {
         const Marked all(count_, 1);
-        Row pencil{std::vector<double>(count_, 0), {}};
+        Row pencil{std::vector<double>(count_, 0), {}, {}};
         pencil.spots = spots(pencil.offsets, all, progress);
         passes_.add(pencil, all, 0, 0, cut_);
         for (const int side : {1, -1})
@@ -229,7 +230,8 @@ private:
             Row next;
             const double cusp = next_row(last, todo, side, offset, step, next, progress);
             const Marked at_end = come_nearer(last, next, todo, progress);
-            fill(last, next, max_fills, progress);
+            left_between(last, next, at_end, next.left, progress);
+            fill(last, next, next.left, max_fills, progress);
             offset += step;
             for (std::size_t i = 0; i < count_; ++i) {
                 if (!todo[i]) continue;
@@ -256,7 +258,9 @@ private:
         for (int tries = 0; tries < max_tries; ++tries) {
             next.offsets.assign(count_, side * (offset + step));
             next.spots = spots(next.offsets, todo, progress);
-            std::vector<double> all = left_between(last, next, progress);
+            next.left.assign(count_, 0);
+            left_between(last, next, todo, next.left, progress);
+            std::vector<double> all = next.left;
             std::erase(all, 0);
             std::sort(all.begin(), all.end());
             cusp = all.empty() ? 0 : all[std::size_t(usual_share * double(all.size() - 1))];
@@ -294,22 +298,20 @@ private:
                     "allow a larger tolerance, or use a tool with a larger corner radius");
     }
 
-    /// What stays between two rows; 0 where not both have a place.
-    std::vector<double> left_between(const Row& a, const Row& b, const Progress& progress) const {
-        std::vector<double> all(count_, 0);
+    /// What stays between two rows where that is asked and both have a place.
+    void left_between(const Row& a, const Row& b, const Marked& which, std::vector<double>& left,
+                      const Progress& progress) const {
         parallel_for(count_, 16, progress.part(0, 0), [&](std::size_t i) {
-            if (a.spots[i].free && b.spots[i].free)
-                all[i] = between_.left(a.spots[i], b.spots[i], spots_.along(i));
+            if (which[i] && a.spots[i].free && b.spots[i].free)
+                left[i] = between_.left(a.spots[i], b.spots[i], spots_.along(i));
         });
-        return all;
     }
 
-    /// Short passes between two where too much stays.
-    void fill(const Row& a, const Row& b, int depth, const Progress& progress) {
-        if (depth == 0) return;
+    /// Short passes between two where too much stays, given what does.
+    void fill(const Row& a, const Row& b, const std::vector<double>& left, int depth,
+              const Progress& progress) {
         Marked which(count_, 0);
         bool any = false;
-        const std::vector<double> left = left_between(a, b, progress);
         for (std::size_t i = 0; i < count_; ++i)
             if (left[i] > with_.cusp) {
                 any = true;
@@ -319,7 +321,7 @@ private:
         progress.check();
         if (!any) return;
         bridge(which);
-        Row middle{a.offsets, {}};
+        Row middle{a.offsets, {}, std::vector<double>(count_, 0)};
         for (std::size_t i = 0; i < count_; ++i)
             middle.offsets[i] = 0.5 * (a.offsets[i] + b.offsets[i]);
         middle.spots = spots(middle.offsets, which, progress);
@@ -333,10 +335,16 @@ private:
         for (std::size_t i = 0; i < count_ && !halved; ++i)
             halved = halves(i);
         if (!halved) return;
-        fill(a, middle, depth - 1, progress);
+        const auto fill_half = [&](const Row& from, const Row& to) {
+            if (depth == 1) return;
+            std::fill(middle.left.begin(), middle.left.end(), 0);
+            left_between(from, to, which, middle.left, progress);
+            fill(from, to, middle.left, depth - 1, progress);
+        };
+        fill_half(a, middle);
         const auto first = std::size_t(std::find(which.begin(), which.end(), 1) - which.begin());
         add(middle, which, middle.offsets[first]);
-        fill(middle, b, depth - 1, progress);
+        fill_half(middle, b);
     }
 
     /// Cutting nothing over a short stretch takes less time than going out, over and in again.
