@@ -43,7 +43,7 @@ double BetweenPasses::left(const ValleySpot& a, const ValleySpot& b, const Vec3&
         if (rest <= std::max(most, with_.cusp)) continue;
         // Beside its band a pass runs over what is cut.
         if (with_.standing && !with_.standing->stands(at->point, rest, with_.cusp, near)) continue;
-        most = std::max(most, rest - min_left(*at, rest, hint));
+        most = std::max(most, rest - min_left(*at, rest, most, hint));
     }
     return most;
 }
@@ -64,14 +64,15 @@ std::optional<BetweenPasses::Between> BetweenPasses::between(const ValleySpot& a
                    facet, normal};
 }
 
-/// The least that the cutter can leave there where that is less than `rest` by the cusp; no better place is
-/// looked for than one that leaves twice as much less.
-double BetweenPasses::min_left(const Between& at, double rest, LiftHint& hint) const {
+/// The least that the cutter can leave there where that is less than `rest` by more than `known`; no better
+/// place is looked for than one that leaves two cusps less.
+double BetweenPasses::min_left(const Between& at, double rest, double known, LiftHint& hint) const {
     RestSample least = nearest_touch(reach_, at.point, at.facet, hint);
     if (at.normal.z() >= 0)
         if (const RestSample other = nearest_touch(reach_, at.point, at.normal, hint); other.gap < least.gap)
             least = other;
-    return nearest_about(reach_, least, rest - 2 * with_.cusp, finest_share * with_.cusp, hint, rest).gap;
+    return nearest_about(reach_, least, rest - 2 * with_.cusp, finest_share * with_.cusp, hint, rest - known)
+        .gap;
 }
 
 } // namespace facetmill

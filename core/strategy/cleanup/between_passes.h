@@ -24,7 +24,7 @@ private:
         Vec3 normal; ///< between those of the touched points
     };
     std::optional<Between> between(const ValleySpot& a, const ValleySpot& b, double share) const;
-    double min_left(const Between& at, double rest, LiftHint& hint) const;
+    double min_left(const Between& at, double rest, double known, LiftHint& hint) const;
 
     const StripCutting& with_;
     double radius_;

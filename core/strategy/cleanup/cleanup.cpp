@@ -7,6 +7,7 @@
 #include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/passes_aside.h"
 #include "core/strategy/cleanup/strip_search.h"
+#include "core/strategy/cleanup/tip_grid.h"
 #include "core/strategy/cleanup/touch_up.h"
 #include "core/strategy/cleanup/uncut_strips.h"
 #include "core/strategy/cleanup/working_passes.h"
@@ -60,11 +61,14 @@ public:
 
 private:
     void cut(const Progress& progress) {
-        const StripCutting with = job_.cutting();
+        StripCutting with = job_.cutting();
+        const TipGrid tips(job_.lift, job_.cover, context_.part->box(), bands_to_cut(),
+                           progress.part(0, 0.05));
+        with.tips = &tips;
         result_.stepover_min = infinity;
         std::vector<StripCut> cuts(found_.size());
         std::vector<BandCut> touched;
-        const Progress strips = progress.part(0, 0.7), within = progress.part(0, 0);
+        const Progress strips = progress.part(0.05, 0.7), within = progress.part(0, 0);
         std::atomic<std::size_t> points = 0;
         parallel_for(found_.size(), 1, strips, [&](std::size_t i) {
             const FoundStrip& f = found_[i];
@@ -98,6 +102,13 @@ private:
             std::move(c.passes.begin(), c.passes.end(), std::back_inserter(result_.passes));
         // Whatever made a pass, and however it was joined or shortened: no move is left unchecked.
         clear_passes(with, result_.passes, progress.part(1, 1));
+    }
+
+    std::vector<const RestBand*> bands_to_cut() const {
+        std::vector<const RestBand*> bands;
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            if (result_.strips[i].enabled && !found_[i].left.piece.mesh) bands.push_back(&found_[i].band);
+        return bands;
     }
 
     StripCut cut_around_places(const FoundStrip& f, const Progress& progress) const {

@@ -1,6 +1,7 @@
 #include "core/strategy/cleanup/nearest_place.h"
 
 #include "core/base/tolerances.h"
+#include "core/strategy/cleanup/tip_grid.h"
 
 namespace facetmill {
 
@@ -9,6 +10,21 @@ namespace {
 /// The first steps of a search, in radii of the cutter, and the number of directions that it tries.
 constexpr double first_step = 0.2;
 constexpr int directions = 8;
+/// A step may bring the cutter nearer by so many times its length, as on walls that are steep; small ones,
+/// less than the tolerance, are asked so many times as long as that matters.
+constexpr double steep_gain = 10, small_gain = 2;
+
+/// From the grid's nearest place on; false where none comes near enough.
+bool start_on_grid(const ValleyInput& input, RestSample& from, double within, LiftHint& hint) {
+    const std::optional<Vec2> at = input.tips->nearest(from.point, std::min(from.gap, within));
+    if (!at) return from.gap <= within;
+    const Vec3 tip(at->x(), at->y(), input.lift->tip_z(at->x(), at->y(), hint));
+    if (const double d = input.cover->distance(from.point - tip); d < from.gap) {
+        from.gap = d;
+        from.tip = tip;
+    }
+    return true;
+}
 
 /// The cutter with its tip at (x, y) comes nearer to p than `gap` where the tip is below this height;
 /// -infinity where it does nowhere, infinity where that is not known.
@@ -41,7 +57,12 @@ RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n,
 
 RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
                          LiftHint& hint, double hopeless) {
-    for (double step = first_step * input.cover->radius(); step > finest && from.gap > enough;) {
+    double step = first_step * input.cover->radius();
+    if (input.tips && from.gap > enough && input.tips->is_about(from.point)) {
+        step = 0.5 * input.tips->spacing();
+        if (!start_on_grid(input, from, hopeless + 0.5 * steep_gain * step, hint)) return from;
+    }
+    while (step > finest && from.gap > enough) {
         bool better = false;
         for (int k = 0; k < directions && from.gap > enough; ++k) {
             const double angle = 2 * pi * k / directions;
@@ -61,7 +82,7 @@ RestSample nearest_about(const ValleyInput& input, RestSample from, double enoug
         }
         if (better) continue;
         step *= 0.5;
-        if (step < input.tolerance && from.gap > hopeless) break;
+        if (from.gap > hopeless + (step < input.tolerance ? small_gain : steep_gain) * step) break;
     }
     return from;
 }

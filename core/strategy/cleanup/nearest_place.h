@@ -11,8 +11,8 @@ namespace facetmill {
 RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint);
 /// The cutter moved from there to where it is nearer to the same place, in ever smaller steps down to
 /// `finest`, until it is no farther away than `enough`. Noise turns a facet's normal, and a flank beside it
-/// holds the cutter up: so the position that the normal asks for may not be the nearest. Where it is farther
-/// away than `hopeless` once steps are smaller than the tolerance, the search ends.
+/// holds the cutter up: so the position that the normal asks for may not be the nearest. Where it is to be no
+/// farther away than `hopeless`, the search ends once what a step can gain is not enough.
 RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,
                          LiftHint& hint, double hopeless = infinity);
 

@@ -438,6 +438,7 @@ ValleyInput reach_of(const StripCutting& with) {
     in.side = with.side;
     in.lift = with.lift;
     in.cover = with.cover;
+    in.tips = with.tips;
     in.tolerance = with.cusp;
     return in;
 }

@@ -22,6 +22,7 @@ struct StripCutting {
     const UpSide* side = nullptr;
     const AxialLift* lift = nullptr; ///< lift of the cutter, with the allowance
     const CutterCover* cover = nullptr;
+    const TipGrid* tips = nullptr;      ///< of the cutter with the allowance, about bands; null: none
     const Standing* standing = nullptr; ///< what stands before the cutter comes; null: everything
     double allowance = 0;
     double cusp = 0.05;    ///< what may be left between passes

@@ -149,8 +149,10 @@ private:
     bool leaves_too_much(Left& l, Near& near) const {
         const Vec3 p = l.sample.point;
         l.rest = tree_->nearest(p, allowed_, infinity, near.pass);
+        // Where it leaves more than so much in any case, that is not worth it.
+        const double most = std::min(l.rest - allowed_, std::max(allowed_, l.before - allowed_));
         l.sample = nearest_about(in_, l.sample, enough_, finest_touch_share * allowed_, near.lift,
-                                 std::min(l.rest, l.before));
+                                 std::max(most, enough_));
         if (!too_much(l)) return false;
         // Less may stand there than at the corners of the triangle.
         const double best = at_best(l);

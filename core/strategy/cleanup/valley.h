@@ -56,6 +56,7 @@ struct RestSample {
 };
 
 class Standing; // standing.h
+class TipGrid;  // tip_grid.h
 
 struct ValleyInput {
     const Mesh* mesh = nullptr;
@@ -64,6 +65,7 @@ struct ValleyInput {
     const AxialLift* lift = nullptr; ///< lift of the cutter
     const CutterCover* cover = nullptr;
     const Standing* standing = nullptr; ///< what stands before the cutter comes; null: everything
+    const TipGrid* tips = nullptr;      ///< of the cutter; null: none
     double tolerance = 0.05;            ///< thickness of material that may be left
     /// Samples are this share of sqrt(2 R tolerance) apart, the half width of what a ball of radius R touches
     /// within the tolerance: several lie across every valley that leaves more.
