@@ -46,17 +46,26 @@ void LaterCuts::feed(const Vec3& from, const Vec3& to) {
             near_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)].push_back(number);
 }
 
-const StockField& LaterCuts::about(const Vec2& p, double radius) {
-    if (near_.empty()) return field_;
-    const Vec2 beside = Vec2::Constant(radius + field_.cell());
-    const Tiles all = tiles(p - beside, p + beside);
-    std::vector<std::uint32_t> now;
+/// The cuts of tiles that nobody has asked for yet.
+void LaterCuts::take(const Tiles& all, std::vector<std::uint32_t>& cuts) {
     for (int row = all.row0; row <= all.row1; ++row)
         for (int column = all.column0; column <= all.column1; ++column) {
             auto& tile = near_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
-            now.insert(now.end(), tile.begin(), tile.end());
+            cuts.insert(cuts.end(), tile.begin(), tile.end());
             tile.clear();
         }
+}
+
+const StockField& LaterCuts::about(const Vec2& a, const Vec2& b, double radius) {
+    if (near_.empty()) return field_;
+    const Vec2 beside = Vec2::Constant(radius + field_.cell());
+    std::vector<std::uint32_t> now;
+    // In pieces: the box round a long line may be most of the part.
+    const double n = std::max(1.0, std::ceil((b - a).norm() / tile_));
+    for (double i = 0; i < n; ++i) {
+        const Vec2 p = a + i / n * (b - a), q = a + (i + 1) / n * (b - a);
+        take(tiles(p.cwiseMin(q) - beside, p.cwiseMax(q) + beside), now);
+    }
     std::sort(now.begin(), now.end());
     for (const std::uint32_t i : now)
         if (!std::exchange(cut_[i], char(1))) field_.cut(cutter_, fed_[i].first, fed_[i].second);

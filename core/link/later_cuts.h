@@ -17,14 +17,16 @@ public:
     LaterCuts(StockField field, const CutterProfile& cutter, double lowest);
 
     void feed(const Vec3& from, const Vec3& to);
-    /// The field, as all cuts so far have left it within `radius` of p; elsewhere more may stand.
-    const StockField& about(const Vec2& p, double radius);
+    /// The field, as all cuts so far have left it within `radius` of the line from a to b; elsewhere more may
+    /// stand.
+    const StockField& about(const Vec2& a, const Vec2& b, double radius);
 
 private:
     struct Tiles {
         int column0, column1, row0, row1;
     };
     Tiles tiles(const Vec2& lo, const Vec2& hi) const;
+    void take(const Tiles& all, std::vector<std::uint32_t>& cuts);
 
     StockField field_;
     StockCutter cutter_;

@@ -13,7 +13,7 @@ struct LatheCommon; // core/strategy/lathe/lathe.h
 
 /// What decides how passes are joined. Lengths in mm.
 struct LinkOptions {
-    double clearance = 5;          ///< height of rapids above the highest of part and stock
+    double clearance = 5;          ///< height of level rapids above part and stock
     double link_distance = 0;      ///< passes whose ends are nearer than this are linked on the surface
     double holder_clearance = 0;   ///< what shank and holder keep from the part; three axes
     double chord_tolerance = 0.01; ///< how far a link may run beside the route that was found free
@@ -33,13 +33,16 @@ LinkOptions default_link_options(const StrategyResult& path, const PlanContext& 
 
 /// Joins the passes of a 3-axis path: on the surface (by the lift of the whole tool along the straight line,
 /// so never into the part) where the next pass is near, and up to the pass's entry, level over the part and
-/// down again where it has one; else by retract, rapid at clearance height, approach.
-/// Rapids run level at clearance_z, above part, stock and every tip; the tool goes down and up at feed, over
-/// tips that do not gouge. An operation that knows its stock goes straight down in a rapid to the clearance,
-/// or half the cutter's radius where that is less, over what stands at that moment, over the pass's beginning
-/// or, where that is much less to go at feed, beside it; and as far above the pass it goes up in one, unless
-/// something stands there higher than the cutter beside a slimmer shank: then as far above that. Where a pass
-/// goes straight up it does the same.
+/// down again where it has one; else by retract, rapids, approach. Level rapids to the first pass, and all
+/// those of an operation that does not know its stock, run at clearance_z, above part, stock and every tip;
+/// the tool goes down and up at feed, over tips that do not gouge. An operation that knows its stock goes
+/// straight down in a rapid to the clearance, or half the cutter's radius where that is less, over what
+/// stands at that moment, over the pass's beginning or, where that is much less to go at feed, beside it; and
+/// as far above the pass it goes up in one, unless something stands there higher than the cutter beside a
+/// slimmer shank: then as far above that. Where a pass goes straight up it does the same. Between passes it
+/// rises no higher than cutter, shank and holder have to be on the way to keep the clearance above part and
+/// stock; from a wall beside a pass, which would be on the way for all of its height, it goes sideways at
+/// feed where that is less.
 /// `allowance` is the operation's; the part's inner tessellation tolerance is added as the strategy does.
 /// Throws Error(out_of_range).
 ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& context, double allowance,

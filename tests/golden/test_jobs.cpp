@@ -150,6 +150,10 @@ private slots:
                 highest_rapid = std::max(highest_rapid, b.z());
                 if (a.head<2>() != b.head<2>()) {
                     lowest_rapid = std::min({lowest_rapid, a.z(), b.z()});
+                    for (int k = 0; k <= 20; ++k) {
+                        const Vec3 center = a + k / 20.0 * (b - a) + Vec3(0, 0, radius);
+                        QVERIFY(distance(center, *part.mesh, 2 * radius) > 1.5 * radius);
+                    }
                 } else {
                     // Straight down to what stands, or up from the pass.
                     const Vec3 low = (a.z() < b.z() ? a : b) + Vec3(0, 0, radius);
@@ -171,8 +175,9 @@ private slots:
         QVERIFY2(deepest <= deepest_allowed, qPrintable(QString::number(deepest)));
         QVERIFY2(touching > samples * 8 / 10,
                  qPrintable(QString("%1 of %2").arg(touching).arg(samples))); // it cuts, and not air
-        QVERIFY(lowest_rapid >= box.hi.z() + 0.125 + 0.5 - 1e-5);             // stock and clearance
-        QVERIFY(highest_rapid < box.hi.z() + 2);
+        // Into the first pass above all of the stock, then no higher than what is left of it asks.
+        QVERIFY(highest_rapid >= box.hi.z() + 0.125 + 0.5 - 1e-5 && highest_rapid < box.hi.z() + 2);
+        QVERIFY(lowest_rapid < box.hi.z() + 0.125);
         QVERIFY(upright_rapids > 0);
     }
 

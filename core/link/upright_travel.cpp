@@ -1,0 +1,189 @@
+#include "core/link/upright_travel.h"
+
+#include "core/strategy/surface/stock_before.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facetmill {
+
+namespace {
+
+/// Places beside a tip that are asked: directions, and distances in radii of the cutter.
+constexpr int directions = 8;
+constexpr double beside_shares[] = {0.25, 0.5};
+/// How much of the way at feed they have to save.
+constexpr double worth_share = 0.5;
+/// What a route out of or in to such places may cost at most, in what the one straight up and down does.
+constexpr double aside_share = 0.75;
+/// The size of the field's cells in radii of the cutter. What it tells is never too low.
+constexpr double field_cell_share = 0.1;
+/// How near to what stands a rapid straight down comes, in radii too, where the clearance is more.
+constexpr double near_share = 0.5;
+/// What a level rapid keeps from the part sideways, in radii: what lies between two places that are looked at
+/// may take it.
+constexpr double level_share = 0.02;
+/// What a rapid takes, in what the same length takes at feed: an order of magnitude is enough to choose by.
+constexpr double rapid_share = 0.1;
+
+} // namespace
+
+UprightTravel::UprightTravel(const PlanContext& context, double allowance, const LinkOptions& options,
+                             double lowest, double top, const Progress& progress)
+    : profile_(context.tool.cutter()), cutter_(profile_), stock_bodies_(context.tool, profile_, 0),
+      lift_(context.contact, profile_, allowance),
+      bodies_(context.contact, context.tool, allowance + options.holder_clearance, options.chord_tolerance),
+      part_{&lift_, -infinity, &bodies_},
+      spacing_(std::min(safe_spacing(profile_, 0.5 * options.chord_tolerance), bodies_.spacing())),
+      wide_lift_(context.contact, profile_, allowance + level_share * profile_.max_radius()),
+      wide_bodies_(context.contact, context.tool, allowance + options.holder_clearance,
+                   level_share * profile_.max_radius()),
+      wide_spacing_(std::min(safe_spacing(wide_lift_.profile(), level_share * profile_.max_radius()),
+                             wide_bodies_.spacing())),
+      clearance_(std::min(options.clearance, near_share * profile_.max_radius())),
+      level_clearance_(options.clearance), top_(top), up_(context.tool), reach_(2 * profile_.max_radius()) {
+    if (context.stock.box.empty() && context.earlier.empty()) return;
+    for (const HolderSection& s : context.tool.holder)
+        reach_ = std::max(reach_, 0.5 * s.diameter + profile_.max_radius());
+    reach_ = std::max(reach_, 0.5 * context.tool.shank_diameter + profile_.max_radius());
+    stock_.emplace(stock_before(context, field_cell_share * profile_.max_radius(), progress), profile_,
+                   lowest);
+}
+
+double UprightTravel::down_to(const Vec3& tip, double top) {
+    if (!stock_) return top;
+    const Vec2 p = tip.head<2>();
+    const StockField& field = stock_->about(p, p, reach_);
+    const double stands =
+        std::max({field.clear_height(cutter_, p, p), stock_bodies_.clear_height(field, p, p), tip.z()});
+    return std::min(top, stands + clearance_);
+}
+
+double UprightTravel::up_from(const Vec3& tip, double top) {
+    if (!stock_ || up_.is_undercut()) return top;
+    // Shank and holder may have been brought into stock that nobody roughed.
+    const Vec2 p = tip.head<2>();
+    const StockField& field = stock_->about(p, p, reach_);
+    if (!up_.is_free(field, tip) || stock_bodies_.clear_height(field, p, p) > tip.z())
+        return down_to(tip, top);
+    return std::min(top, tip.z() + clearance_);
+}
+
+/// Those from which a tool goes to the tip, or back, clear of the part, in less than that at feed.
+std::vector<Vec3> UprightTravel::places_beside(const Vec3& tip, double no_farther) {
+    std::vector<Vec3> places;
+    for (const double away : beside_shares)
+        for (int k = 0; k < directions; ++k) {
+            const double angle = 2 * pi * k / directions, r = away * profile_.max_radius();
+            Vec3 place = tip + Vec3(r * std::cos(angle), r * std::sin(angle), 0);
+            place.z() = down_to(place, infinity);
+            if ((place - tip).norm() < no_farther && is_clear(place, tip)) places.push_back(place);
+        }
+    return places;
+}
+
+std::optional<Vec3> UprightTravel::beside(const Vec3& tip, double slow) {
+    std::optional<Vec3> best;
+    if (!stock_) return best;
+    double least = worth_share * slow;
+    for (const Vec3& place : places_beside(tip, least))
+        if (const double length = (place - tip).norm(); length < least) {
+            least = length;
+            best = place;
+        }
+    return best;
+}
+
+bool UprightTravel::is_level_free(const Vec2& a, const Vec2& b, double z) {
+    if (!stock_) return false;
+    const StockField& field = stock_->about(a, b, reach_);
+    return stock_bodies_.clear_height(field, a, b) <= z && !up_.stands_above(field, a, b, z);
+}
+
+/// Straight down to a tip from beside it: cutter, shank and holder keep out of the part, the latter two of
+/// the stock, too.
+bool UprightTravel::is_clear(const Vec3& place, const Vec3& tip) {
+    const Vec2 from = place.head<2>(), to = tip.head<2>();
+    const StockField& field = stock_->about(to, to, reach_);
+    if (stock_bodies_.clear_height(field, from, to) > tip.z()) return false;
+    // A shank as wide as the cutter comes down in what that has cut, but not sideways.
+    if (up_.stands_above(field, from, to, tip.z())) return false;
+    const double parts = std::floor((place - tip).norm() / spacing_) + 1;
+    LiftHint hint;
+    for (double i = 0; i < parts; ++i) {
+        const Vec3 at = place + i / parts * (tip - place);
+        if (part_.tip_z(at.head<2>(), hint) > at.z()) return false;
+    }
+    return true;
+}
+
+/// The lowest tip of a level rapid, or `top_` where nothing is gained by knowing more.
+double UprightTravel::level(const Vec2& a, const Vec2& b, const Progress& progress) {
+    const StockField& field = stock_->about(a, b, reach_);
+    double z = std::max(field.clear_height(cutter_, a, b), stock_bodies_.clear_height(field, a, b));
+    const double n = std::max(1.0, std::ceil((b - a).norm() / wide_spacing_));
+    LiftHint hint;
+    HolderReach::Hints hints;
+    for (double i = 0; i <= n && z + level_clearance_ < top_; ++i) {
+        progress.check();
+        const Vec2 p = a + (i / n) * (b - a);
+        z = wide_bodies_.raised(p, wide_lift_.tip_z(p.x(), p.y(), hint, z), hints);
+    }
+    return std::min(z + level_clearance_, top_);
+}
+
+/// The place beside a tip above which the least stands.
+std::optional<Vec3> UprightTravel::lowest_beside(const Vec3& tip, const Progress& progress) {
+    std::optional<Vec3> best;
+    double least = infinity;
+    for (const Vec3& place : places_beside(tip, profile_.max_radius())) {
+        const double z = level(place.head<2>(), place.head<2>(), progress) + (place - tip).norm();
+        if (!(z < least)) continue;
+        least = z;
+        best = place;
+    }
+    return best;
+}
+
+/// What differs between one route and another: the level rapid hardly does.
+double UprightTravel::cost(const Route& route, const Vec3& from, const Vec3& to) const {
+    return (route.out - from).norm() + (route.in - to).norm()
+           + rapid_share * (std::abs(route.z - route.out.z()) + std::abs(route.z - route.in.z()));
+}
+
+Vec3 UprightTravel::over(const Vec3& tip) {
+    const Vec3 above(tip.x(), tip.y(), down_to(tip, top_));
+    return beside(tip, above.z() - tip.z()).value_or(above);
+}
+
+UprightTravel::Route UprightTravel::route(const Vec3& from, const Vec3& to, const Progress& progress) {
+    Route straight{from, over(to), top_};
+    straight.out.z() = up_from(from, top_);
+    if (!stock_) return straight;
+    const auto set_level = [&](Route& r) {
+        r.z = std::clamp(level(r.out.head<2>(), r.in.head<2>(), progress), std::max(r.out.z(), r.in.z()),
+                         std::max({top_, r.out.z(), r.in.z()}));
+    };
+    set_level(straight);
+    // A wall beside one of the ends: a little away from it less stands, or nothing.
+    if (straight.z <= std::max(from.z(), to.z()) + level_clearance_ + clearance_) return straight;
+    Route best = straight;
+    double least = aside_share * cost(best, from, to);
+    const auto out = up_.is_undercut() ? std::nullopt : lowest_beside(from, progress);
+    const auto in = lowest_beside(to, progress);
+    for (const bool other_out : {false, true})
+        for (const bool other_in : {false, true}) {
+            if ((other_out && !out) || (other_in && !in) || (!other_out && !other_in)) continue;
+            Route r = straight;
+            if (other_out) r.out = *out;
+            if (other_in) r.in = *in;
+            set_level(r);
+            if (const double c = cost(r, from, to); c < least) {
+                least = c;
+                best = r;
+            }
+        }
+    return best;
+}
+
+} // namespace facetmill

@@ -1,0 +1,90 @@
+// How an upright tool travels between passes: out of one and in to the next as far as it has to at feed, the
+// rest in rapids, which run as low as part and stock allow. Millimetres, part coordinates, the tool's axis
+// +Z.
+#pragma once
+
+#include "core/link/later_cuts.h"
+#include "core/link/link.h"
+#include "core/link/straight_up.h"
+#include "core/strategy/rough/rough_entry.h"
+#include "core/strategy/surface/holder_reach.h"
+#include "core/strategy/surface/lift_line.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace facetmill {
+
+/// What stands at each moment, where the operation knows its stock, and the part. Cutter, shank and holder
+/// keep off both.
+class UprightTravel {
+public:
+    /// `allowance`: all that is to stay on the part; `lowest`: of the tips that are fed; `top`: the height at
+    /// which nothing is in the way anywhere.
+    UprightTravel(const PlanContext& context, double allowance, const LinkOptions& options, double lowest,
+                  double top, const Progress& progress);
+
+    /// What a rapid straight down keeps from what stands, mm.
+    double clearance() const { return clearance_; }
+    /// Tips that do not gouge, for cuts and links.
+    const LiftField& part() const { return part_; }
+    double spacing() const { return spacing_; } ///< of places on a line that are to be looked at
+    const AxialLift& lift() const { return lift_; }
+    const HolderReach& bodies() const { return bodies_; }
+
+    /// Where a rapid straight down to a tip ends: at `top` where nothing is known of the stock.
+    double down_to(const Vec3& tip, double top);
+    /// Where a rapid straight up from a tip begins. What stands higher than the cutter beside a slimmer
+    /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
+    double up_from(const Vec3& tip, double top);
+    /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high
+    /// as the wall for ever, so that along a wall nothing is known to be gone. None where that is no shorter
+    /// than `slow`, the way down at feed.
+    std::optional<Vec3> beside(const Vec3& tip, double slow);
+    /// Whether neither shank nor holder meets what stands on a level way at z.
+    bool is_level_free(const Vec2& a, const Vec2& b, double z);
+
+    /// From a tip to another: at feed to `out`, in rapids up to `z`, level, and down to `in`, on at feed.
+    struct Route {
+        Vec3 out, in;
+        double z = 0;
+        /// Where each of the rapids ends.
+        std::array<Vec3, 3> rapids() const {
+            return {Vec3(out.x(), out.y(), z), Vec3(in.x(), in.y(), z), in};
+        }
+    };
+    /// Where a rapid down to a tip from `top` ends, over it or beside it.
+    Vec3 over(const Vec3& tip);
+    Route route(const Vec3& from, const Vec3& to, const Progress& progress);
+
+    /// The tool has cut from one tip to the other.
+    void feed(const Vec3& from, const Vec3& to) {
+        if (stock_) stock_->feed(from, to);
+    }
+
+private:
+    bool is_clear(const Vec3& place, const Vec3& tip);
+    std::vector<Vec3> places_beside(const Vec3& tip, double no_farther);
+    double level(const Vec2& a, const Vec2& b, const Progress& progress);
+    std::optional<Vec3> lowest_beside(const Vec3& tip, const Progress& progress);
+    double cost(const Route& route, const Vec3& from, const Vec3& to) const;
+
+    CutterProfile profile_;
+    StockCutter cutter_;
+    UprightBodies stock_bodies_;
+    AxialLift lift_;
+    HolderReach bodies_;
+    LiftField part_;
+    double spacing_;
+    AxialLift wide_lift_; ///< for rapids, of which fewer places are looked at
+    HolderReach wide_bodies_;
+    double wide_spacing_;
+    double clearance_, level_clearance_, top_;
+    StraightUp up_;
+    /// How far from a tip is asked: half a radius beside it, and there the widest body.
+    double reach_;
+    std::optional<LaterCuts> stock_;
+};
+
+} // namespace facetmill
