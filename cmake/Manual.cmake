@@ -1,11 +1,12 @@
 # The manual: pages made of resources/manual, the glossary and the reference, which are installed and compiled into the workbench.
 set(manual_tool ${PROJECT_SOURCE_DIR}/app/manual)
-add_executable(make_manual ${manual_tool}/make_manual.cpp ${manual_tool}/markdown.cpp)
+set(FACETMILL_MANUAL_SOURCES ${manual_tool}/markdown.cpp ${manual_tool}/pages.cpp ${manual_tool}/words.cpp)
+add_executable(make_manual ${manual_tool}/make_manual.cpp ${FACETMILL_MANUAL_SOURCES})
 facetmill_link_rooms(make_manual base)
 facetmill_reuse_core_header(make_manual)
 
 set(resources ${PROJECT_SOURCE_DIR}/resources)
-file(GLOB manual_sources CONFIGURE_DEPENDS ${resources}/manual/* ${resources}/drawings/* ${resources}/pictures/manual/*.png)
+file(GLOB manual_sources CONFIGURE_DEPENDS ${resources}/manual/* ${resources}/manual/*/* ${resources}/languages/*.ts ${resources}/drawings/* ${resources}/pictures/manual/*.png)
 set(FACETMILL_MANUAL ${PROJECT_BINARY_DIR}/manual)
 # Files that say the same stay as they are: the stamp tells the build that it has looked.
 add_custom_command(OUTPUT ${FACETMILL_MANUAL}.stamp VERBATIM

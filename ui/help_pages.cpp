@@ -1,6 +1,7 @@
 #include "ui/help_pages.h"
 
 #include "ui/icons.h"
+#include "ui/language.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -21,19 +22,20 @@ static void init_manual() {
 namespace facetmill::ui {
 
 const std::vector<HelpSection>& help_sections() {
-    static const std::vector<HelpSection> all = [] {
-        std::vector<HelpSection> sections;
+    static std::map<QString, std::vector<HelpSection>> all;
+    const auto [found, unread] = all.try_emplace(spoken_language());
+    std::vector<HelpSection>& sections = found->second;
+    if (unread)
         for (const QString& line :
              QString::fromUtf8(help_file(QStringLiteral("index.tsv"))).split(QChar('\n'))) {
             const QStringList cells = line.split(QChar('\t'));
             if (cells.size() == 4) sections.push_back({cells[0], cells[1].toInt(), cells[2], cells[3]});
         }
-        return sections;
-    }();
-    return all;
+    return sections;
 }
 
 bool has_help(const QString& topic) {
+    // The same in all languages, which a test watches.
     static const QSet<QString> topics = [] {
         QSet<QString> all;
         for (const HelpSection& s : help_sections())
@@ -63,7 +65,8 @@ std::vector<const HelpSection*> find_help(const QString& words) {
 
 QByteArray help_file(const QString& name) {
     static const bool ready = (init_manual(), true);
-    QFile file(QStringLiteral(":/manual/") + name);
+    QFile file(QStringLiteral(":/manual/%1/%2").arg(spoken_language(), name));
+    if (spoken_language().isEmpty() || !file.exists()) file.setFileName(QStringLiteral(":/manual/") + name);
     return ready && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 

@@ -3,12 +3,10 @@
 #include "ui/help_browser.h"
 #include "ui/help_pages.h"
 #include "ui/icons.h"
-#include "ui/language.h"
 
 #include <QAction>
 #include <QGuiApplication>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QScreen>
@@ -66,13 +64,6 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(make_bar());
-    if (spoken_language() != QLatin1String("en")) {
-        auto* english = new QLabel(tr("The manual is in English."), this);
-        english->setObjectName(QStringLiteral("manual_language"));
-        english->setMargin(6);
-        english->setForegroundRole(QPalette::PlaceholderText);
-        column->addWidget(english);
-    }
     column->addWidget(both, 1);
     fill_contents();
     connect(contents_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {

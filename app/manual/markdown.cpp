@@ -67,13 +67,21 @@ std::vector<std::string> cells_of(std::string_view line) {
     return cells;
 }
 
+/// What titles begin with that stand over the keys of a list's entries.
+constexpr std::string_view record_title = "Each of";
+
 std::string without_ticks(const std::string& s) {
     return s.size() > 1 && s.front() == '`' && s.back() == '`' ? s.substr(1, s.size() - 2) : s;
 }
 
+/// "a" of "`a`, `b` and others": the same in every language.
+std::string first_code(const std::string& cell) {
+    return cell.substr(1, cell.find('`', 1) - 1);
+}
+
 class PageMaker {
 public:
-    PageMaker(std::string scope, DrawingOf drawing) : fixed_scope_(std::move(scope)), drawing_(drawing) {}
+    explicit PageMaker(const PageOptions& options) : options_(options), fixed_scope_(options.scope) {}
 
     Page make(std::string_view markdown) {
         std::istringstream in{std::string(markdown)};
@@ -97,7 +105,7 @@ private:
                 plain_ += code;
                 i = end + 1;
             } else if (text.substr(i, 2) == "![" && read_reference(text, i + 1, r)) {
-                html += picture(r.text, picture_link(r.address));
+                html += picture(r.text, options_.pictures_in + picture_link(r.address));
                 i = r.end;
             } else if (text[i] == '[' && read_reference(text, i, r)) {
                 const std::string to = page_link(r.address);
@@ -140,19 +148,23 @@ private:
         end_section();
         // "## Clean-up <!-- cleanup -->": what links call it.
         const auto named = line.find("<!--"), end = line.find("-->");
-        const std::string html = inline_html(trimmed(
-            std::string_view(line).substr(level, named == std::string::npos ? named : named - level)));
-        const std::string title = trimmed(plain_);
+        const std::string text =
+            trimmed(std::string_view(line).substr(level, named == std::string::npos ? named : named - level));
+        (void)inline_html(text);
+        const std::string title = trimmed(std::exchange(plain_, {}));
+        const bool record = title.starts_with(record_title); // a list of the parameters above it
+        const std::string html =
+            inline_html(record ? options_.say(std::string(record_title)) + text.substr(record_title.size())
+                               : options_.say(text));
         const std::string name = named == std::string::npos || end == std::string::npos
                                      ? slug(title)
                                      : trimmed(std::string_view(line).substr(named + 4, end - named - 4));
         const std::string tag = "h" + std::to_string(level);
         page_.html +=
             "<" + tag + "><a name=\"" + name + "\" id=\"" + name + "\"></a>" + html + "</" + tag + ">\n";
-        const bool record = title.starts_with("Each of "); // a list of the parameters above it
-        record_ = record ? title.substr(8) + "-" : std::string();
+        record_ = record ? title.substr(record_title.size() + 1) + "-" : std::string();
         if (fixed_scope_.empty() && !record) scope_ = name;
-        begin_section(int(std::min<std::size_t>(level, 3)), name, title);
+        begin_section(int(std::min<std::size_t>(level, 3)), name, std::string(plain_));
     }
 
     std::string anchor_of(const std::string& key) const {
@@ -163,20 +175,25 @@ private:
     void parameter(const std::vector<std::string>& row) {
         const std::string key = without_ticks(row[0]), anchor = anchor_of(key);
         const auto end = row[1].find(".** ");
-        const std::string label = row[1].substr(2, end - 2), help = row[1].substr(end + 4);
+        const std::string label = options_.say(row[1].substr(2, end - 2)),
+                          help = options_.say(row[1].substr(end + 4));
         end_section();
         begin_section(4, anchor, label);
         page_.html += "<h4><a name=\"" + anchor + "\" id=\"" + anchor + "\"></a>" + escaped(label) + " <code>"
                       + escaped(key) + "</code></h4>\n";
         plain_ = key + " ";
         const std::string drawing =
-            drawing_ ? drawing_(fixed_scope_.empty() ? scope_ : fixed_scope_, record_ + key) : std::string();
-        if (!drawing.empty()) page_.html += "<p>" + picture(label, "drawings/" + drawing + ".svg") + "</p>\n";
+            options_.drawing ? options_.drawing(fixed_scope_.empty() ? scope_ : fixed_scope_, record_ + key)
+                             : std::string();
+        if (!drawing.empty())
+            page_.html +=
+                "<p>" + picture(label, options_.pictures_in + "drawings/" + drawing + ".svg") + "</p>\n";
         page_.html += "<p>" + inline_html(help) + "</p>\n";
-        std::string facts = inline_html(row[2]);
+        std::string facts = inline_html(options_.say(row[2]));
         if (!row[3].empty()) facts += ", " + inline_html(row[3]);
-        if (!row[4].empty()) facts += " · range " + inline_html(row[4]);
-        if (!row[5].empty()) facts += " · default " + inline_html(row[5]);
+        if (!row[4].empty()) facts += " · " + options_.say("range") + ' ' + inline_html(options_.say(row[4]));
+        if (!row[5].empty())
+            facts += " · " + options_.say("default") + ' ' + inline_html(options_.say(row[5]));
         page_.html += "<p class=\"facts\">" + facts + "</p>\n";
     }
 
@@ -187,7 +204,7 @@ private:
         if (!parameters) {
             page_.html += "<table>\n<tr>";
             for (const std::string& cell : head)
-                page_.html += "<th>" + inline_html(cell) + "</th>";
+                page_.html += "<th>" + inline_html(options_.say(cell)) + "</th>";
             page_.html += "</tr>\n";
         }
         for (; at_ < lines_.size() && lines_[at_].starts_with("|"); ++at_) {
@@ -201,7 +218,7 @@ private:
             for (std::size_t i = 0; i < row.size(); ++i) {
                 std::string name;
                 if (i == 0 && row[i].starts_with("`")) {
-                    const std::string anchor = anchor_of(without_ticks(row[i]));
+                    const std::string anchor = anchor_of(first_code(row[i]));
                     if (names_.insert(anchor).second) { // several rows may tell of one thing
                         name.append("<a name=\"")
                             .append(anchor)
@@ -212,7 +229,7 @@ private:
                         begin_section(4, anchor, label_of(row));
                     }
                 }
-                page_.html += "<td>" + name + inline_html(row[i]) + "</td>";
+                page_.html += "<td>" + name + inline_html(said_cell(row[i])) + "</td>";
                 plain_ += ' ';
             }
             page_.html += "</tr>\n";
@@ -221,9 +238,15 @@ private:
     }
 
     /// "**Label.** Text" beside a key, or the key.
-    static std::string label_of(const std::vector<std::string>& row) {
+    std::string label_of(const std::vector<std::string>& row) const {
         const auto end = row.size() > 1 && row[1].starts_with("**") ? row[1].find(".**") : std::string::npos;
-        return end == std::string::npos ? without_ticks(row[0]) : row[1].substr(2, end - 2);
+        return end == std::string::npos ? without_ticks(row[0]) : options_.say(row[1].substr(2, end - 2));
+    }
+
+    std::string said_cell(const std::string& cell) const {
+        const auto end = cell.starts_with("**") ? cell.find(".** ") : std::string::npos;
+        if (end == std::string::npos) return options_.say(cell);
+        return "**" + options_.say(cell.substr(2, end - 2)) + ".** " + options_.say(cell.substr(end + 4));
     }
 
     static bool is_item(const std::string& line, bool& ordered) {
@@ -257,7 +280,9 @@ private:
             page_.html += "<li>";
             for (std::size_t i = 0; i < paragraphs.size(); ++i) {
                 if (i > 0) page_.html += "<br>";
-                page_.html += inline_html(paragraphs[i]);
+                // A link has the title of its page.
+                const bool link = paragraphs[i].starts_with("[");
+                page_.html += inline_html(link ? paragraphs[i] : options_.say(paragraphs[i]));
                 plain_ += ' ';
             }
             page_.html += "</li>\n";
@@ -301,14 +326,14 @@ private:
                    && !lines_[at_].starts_with("#") && !lines_[at_].starts_with("|");
                  ++at_)
                 text += (text.empty() ? "" : " ") + trimmed(lines_[at_]);
-            page_.html += "<p>" + inline_html(text) + "</p>\n";
+            page_.html += "<p>" + inline_html(options_.say(text)) + "</p>\n";
             plain_ += ' ';
         }
         if (at_ >= lines_.size()) end_section();
     }
 
+    const PageOptions& options_;
     std::string fixed_scope_;
-    DrawingOf drawing_;
     std::vector<std::string> lines_;
     std::size_t at_ = 0;
     std::set<std::string> names_;
@@ -348,8 +373,8 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-Page make_page(std::string_view markdown, const std::string& scope, DrawingOf drawing) {
-    return PageMaker(scope, drawing).make(markdown);
+Page make_page(std::string_view markdown, const PageOptions& options) {
+    return PageMaker(options).make(markdown);
 }
 
 } // namespace facetmill::manual

@@ -2,6 +2,7 @@
 // lists, tables, code, links and pictures, and nothing else.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,11 +28,19 @@ struct Page {
 /// the kind of an operation or a section of the reference.
 using DrawingOf = std::string (*)(const std::string& scope, const std::string& key);
 
+struct PageOptions {
+    /// What the anchors of a page begin with that is all of one operation; empty: that of the heading.
+    std::string scope;
+    DrawingOf drawing = nullptr;
+    /// What a text that stands in English is to say on the page: a paragraph, a title, a cell of a table.
+    /// Anchors stay those of the English words.
+    std::function<std::string(const std::string&)> say = [](const std::string& text) { return text; };
+    std::string pictures_in; ///< "../": what the folders of pictures and drawings stand in, from the page
+};
+
 /// Links to FILE.md lead to FILE.html in the same folder, pictures to the folder they stand in. Tables of
 /// parameters as the reference page has them become entries, each with an anchor SCOPE-KEY and its drawing.
-/// `scope` is what the anchors of a page begin with that is all of one operation; else it is that of the
-/// heading.
-Page make_page(std::string_view markdown, const std::string& scope, DrawingOf drawing);
+Page make_page(std::string_view markdown, const PageOptions& options);
 
 /// A name in small letters, digits and underscores.
 std::string slug(std::string_view title);

@@ -15056,10 +15056,6 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Handbuch an der Stelle dessen, was die Tasten hat (F1)</translation>
     </message>
     <message>
-        <source>The manual is in English.</source>
-        <translation>Das Handbuch ist auf Englisch.</translation>
-    </message>
-    <message>
         <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
         <translation>Das Netz hat %1. Es wird bearbeitet, wie es ist; im Scan-Raum lässt es sich instand setzen.</translation>
     </message>

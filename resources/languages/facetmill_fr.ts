@@ -15054,10 +15054,6 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Le manuel à l'endroit de ce qui a le clavier (F1)</translation>
     </message>
     <message>
-        <source>The manual is in English.</source>
-        <translation>Le manuel est en anglais.</translation>
-    </message>
-    <message>
         <source>The mesh has %1. It is machined as it is; the scan room makes it worth machining.</source>
         <translation>Le maillage a %1. Il est usiné tel quel ; l'atelier de scan permet de le réparer.</translation>
     </message>
