@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
     window.show();
     run_for(1500); // also for the shaders of a first picture
     Heart heart;
-    std::printf("%-36s %12s %14s %14s\n", "", "total, ms", "longest pause", "most computed");
+    std::printf("%-24s %10s %14s %14s   %s\n", "", "total, ms", "longest pause", "most computed",
+                "the longest pause by cause, ms");
     const auto row = [&](const char* what, const std::function<void()>& act) {
         QElapsedTimer timer;
         heart.reset();
@@ -46,8 +47,8 @@ int main(int argc, char** argv) {
         act();
         wait(window);
         run_for(300);
-        std::printf("%-36s %12.0f %14.1f %14.1f\n", what, double(timer.elapsed()), heart.longest_ms(),
-                    heart.computed_ms());
+        std::printf("%-24s %10.0f %14.1f %14.1f   %s\n", what, double(timer.elapsed()), heart.longest_ms(),
+                    heart.computed_ms(), qPrintable(heart.longest_by_cause()));
         std::fflush(stdout);
     };
     const auto trigger = [&](const char* name) {

@@ -10,49 +10,90 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <vtkObject.h>
 
 namespace facetmill::test {
 
-/// What the calling thread has computed, in ns.
-inline qint64 thread_time() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return qint64(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
-}
+/// Where the time of a thread went, in ns: it computed; it was ready and had no core.
+struct ThreadTimes {
+    qint64 computed = 0, without_core = 0, wall = 0;
 
-/// The longest time the event loop did not come round, and the most that its thread itself computed in one
-/// round: what other programs do at the same time lengthens the first only.
+    ThreadTimes since(const ThreadTimes& start) const {
+        return {computed - start.computed, without_core - start.without_core, wall - start.wall};
+    }
+    /// It waited for a lock, a disk, the display or a thread that draws.
+    qint64 waited() const { return std::max<qint64>(0, wall - computed - without_core); }
+};
+
+/// The times of the thread that makes it, as the kernel counts them (/proc/self/task/N/schedstat).
+class ThreadClock {
+public:
+    ThreadClock() : file_(open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC)) { timer_.start(); }
+    ~ThreadClock() { close(file_); }
+    ThreadClock(const ThreadClock&) = delete;
+    ThreadClock& operator=(const ThreadClock&) = delete;
+
+    ThreadTimes now() const {
+        ThreadTimes t;
+        timespec computed{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &computed);
+        t.computed = qint64(computed.tv_sec) * 1'000'000'000 + computed.tv_nsec;
+        t.wall = timer_.nsecsElapsed();
+        char text[96] = {};
+        long long ran = 0, waited = 0;
+        if (pread(file_, text, sizeof text - 1, 0) > 0 && std::sscanf(text, "%lld %lld", &ran, &waited) == 2)
+            t.without_core = waited;
+        return t;
+    }
+
+private:
+    QElapsedTimer timer_;
+    int file_;
+};
+
+/// The longest time the event loop did not come round, where that went, and the most that its thread itself
+/// computed in one round: what other threads and programs do at the same time lengthens the first only.
 class Heart : public QObject {
 public:
     Heart() {
-        connect(&timer_, &QTimer::timeout, this, [this] {
-            longest_ = std::max(longest_, since_.nsecsElapsed());
-            max_ = std::max(max_, thread_time() - computed_);
-            restart();
-        });
+        connect(&timer_, &QTimer::timeout, this, [this] { beat(); });
         timer_.setTimerType(Qt::PreciseTimer);
         timer_.start(1);
-        restart();
+        last_ = clock_.now();
     }
     void reset() {
-        longest_ = max_ = 0;
-        restart();
+        last_ = clock_.now();
+        longest_ = {};
+        max_ = 0;
     }
     /// Also of a pause that has just ended, or has not.
-    double longest_ms() const { return double(std::max(longest_, since_.nsecsElapsed())) * 1e-6; }
-    double computed_ms() const { return double(std::max(max_, thread_time() - computed_)) * 1e-6; }
+    double longest_ms() { return (beat(), ms(longest_.wall)); }
+    double computed_ms() { return (beat(), ms(max_)); }
+    /// "computed 12.1, no core 30.2, waited 1.0": the longest pause, in ms.
+    QString longest_by_cause() {
+        beat();
+        return QString::asprintf("computed %.1f, no core %.1f, waited %.1f", ms(longest_.computed),
+                                 ms(longest_.without_core), ms(longest_.waited()));
+    }
 
 private:
-    void restart() {
-        since_.restart();
-        computed_ = thread_time();
+    static double ms(qint64 ns) { return double(ns) * 1e-6; }
+    void beat() {
+        const ThreadTimes now = clock_.now(), round = now.since(last_);
+        if (round.wall > longest_.wall) longest_ = round;
+        max_ = std::max(max_, round.computed);
+        last_ = now;
     }
     QTimer timer_;
-    QElapsedTimer since_;
-    qint64 longest_ = 0, computed_ = 0, max_ = 0;
+    ThreadClock clock_;
+    ThreadTimes last_, longest_;
+    qint64 max_ = 0;
 };
 
 /// The application of a bench: settings and files of its own, in a folder that goes with it.
