@@ -9,6 +9,7 @@
 #include "ui/project_files.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
+#include "ui/settings_file.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 
@@ -227,6 +228,10 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(FACETMILL_VERSION));
     QApplication app(argc, argv);
     starting = false;
+    QObject::connect(&app, &QGuiApplication::applicationStateChanged, &app, [](Qt::ApplicationState state) {
+        // Another window may have changed them meanwhile.
+        if (state == Qt::ApplicationActive) ui::SettingsFile::own().read_again();
+    });
     ui::speak(options.language.isEmpty() ? ui::settings::language() : options.language);
     if (const QString why = ui::Viewport::why_unavailable(); !why.isEmpty()) {
         std::fprintf(stderr, "facetmill: %s (install a graphics driver, or use facetmill-cli)\n",

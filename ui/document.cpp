@@ -5,6 +5,7 @@
 #include "core/job/project_inputs.h"
 #include "core/job/stock_solid.h"
 #include "core/output/post/post.h"
+#include "ui/aside.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
 
@@ -98,9 +99,11 @@ void Document::open(Project project, const QString& name, bool unsaved) {
     }
     name_ = name;
     never_saved_ = unsaved;
+    for (auto& [id, record] : records_)
+        let_go(std::move(record.result));
     records_.clear();
-    program_ = nullptr;
-    part_ = nullptr;
+    let_go(std::exchange(program_, nullptr));
+    let_go(std::exchange(part_, nullptr));
     part_key_.clear();
     copies_.clear();
     undo_.clear();
@@ -236,7 +239,7 @@ long Document::free_tool_number() const {
 }
 
 void Document::set_part(std::shared_ptr<const PreparedPart> part, const std::string& key) {
-    part_ = std::move(part);
+    let_go(std::exchange(part_, std::move(part)));
     part_key_ = key;
     emit part_changed();
     emit states_changed();
@@ -289,10 +292,12 @@ void Document::set_planning(const std::vector<int>& ids) {
 }
 
 void Document::take(const std::vector<OperationOutcome>& outcomes) {
-    program_ = nullptr;
+    let_go(std::exchange(program_, nullptr));
     for (const auto& o : outcomes) {
         Record& record = records_[o.id];
-        record.result = o.result; // a failed operation has none: an old path beside a failure would mislead
+        let_go(std::exchange(
+            record.result,
+            o.result)); // a failed operation has none: an old path beside a failure would mislead
         record.failure = o.failure;
         record.fingerprint = o.fingerprint;
         record.planning = false;

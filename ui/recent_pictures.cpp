@@ -1,6 +1,7 @@
 #include "ui/recent_pictures.h"
 
 #include "core/base/file.h"
+#include "ui/aside.h"
 #include "ui/main_window.h"
 #include "ui/settings.h"
 #include "ui/text.h"
@@ -32,14 +33,11 @@ void forget_others() {
         if (!kept.contains(file)) folder().remove(file);
 }
 
-} // namespace
-
-void keep_recent_picture(const QString& path, const QPixmap& view) {
-    if (view.isNull() || !settings::recent_files().contains(path)) return;
+void write_picture_of(const QString& path, const QImage& view) {
     const QSize size(recent_picture_width, recent_picture_height);
-    const QPixmap whole = view.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    const QPixmap middle = whole.copy((whole.width() - size.width()) / 2,
-                                      (whole.height() - size.height()) / 2, size.width(), size.height());
+    const QImage whole = view.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    const QImage middle = whole.copy((whole.width() - size.width()) / 2, (whole.height() - size.height()) / 2,
+                                     size.width(), size.height());
     QBuffer buffer;
     if (!folder().mkpath(QStringLiteral(".")) || !buffer.open(QIODevice::WriteOnly)
         || !middle.save(&buffer, "PNG"))
@@ -52,6 +50,13 @@ void keep_recent_picture(const QString& path, const QPixmap& view) {
     } catch (const Error&) {
         // The list shows a plain icon then.
     }
+}
+
+} // namespace
+
+void keep_recent_picture(const QString& path, const QImage& view) {
+    if (view.isNull() || !settings::recent_files().contains(path)) return;
+    do_aside([path, view] { write_picture_of(path, view); });
 }
 
 QPixmap recent_picture(const QString& path) {
@@ -74,7 +79,7 @@ void RecentPictures::keep() {
     const std::filesystem::path file = project.path.empty() ? project.part_path() : project.path;
     const bool planned = document_.all_planned();
     if (std::exchange(last_, {file, planned}) == std::pair(file, planned)) return;
-    keep_recent_picture(path_text(file), QPixmap::fromImage(viewport_.picture()));
+    keep_recent_picture(path_text(file), viewport_.picture());
 }
 
 } // namespace facetmill::ui

@@ -3,6 +3,7 @@
 
 #include "ui/document.h"
 
+#include <QImage>
 #include <QPixmap>
 #include <QString>
 
@@ -14,9 +15,9 @@ namespace facetmill::ui {
 /// Points; what a list shows them at.
 inline constexpr int recent_picture_width = 144, recent_picture_height = 96;
 
-/// Keeps the middle of a view as the picture of a file; those of files that are not recent any more go. Where
-/// it cannot be written there is none.
-void keep_recent_picture(const QString& path, const QPixmap& view);
+/// Keeps the middle of a view as the picture of a file; those of files that are not recent any more go.
+/// Written aside; where it cannot be written there is none.
+void keep_recent_picture(const QString& path, const QImage& view);
 /// Null where there is none.
 QPixmap recent_picture(const QString& path);
 

@@ -1,5 +1,6 @@
 #include "ui/verification_model.h"
 
+#include "ui/aside.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 
@@ -59,9 +60,11 @@ void VerificationModel::take(std::shared_ptr<const VerificationOutcome> outcome)
         return std::any_of(setups.begin(), setups.end(),
                            [place](const JudgedSetup& s) { return s.place == place; });
     };
-    std::erase_if(outcomes_, [&](const auto& earlier) {
-        return std::all_of(earlier->setups.begin(), earlier->setups.end(),
-                           [&](const JudgedSetup& s) { return judges(s.place); });
+    std::erase_if(outcomes_, [&](auto& earlier) {
+        const bool again = std::all_of(earlier->setups.begin(), earlier->setups.end(),
+                                       [&](const JudgedSetup& s) { return judges(s.place); });
+        if (again) let_go(std::move(earlier));
+        return again;
     });
     outcomes_.insert(outcomes_.begin(), std::move(outcome));
     choose_outcome();
@@ -70,6 +73,8 @@ void VerificationModel::take(std::shared_ptr<const VerificationOutcome> outcome)
 
 void VerificationModel::clear() {
     if (outcomes_.empty()) return;
+    for (auto& outcome : outcomes_)
+        let_go(std::move(outcome));
     outcomes_.clear();
     choose_outcome();
     emit changed();

@@ -12,6 +12,7 @@
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/settings.h"
+#include "ui/settings_file.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/tool_library_dialog.h"
@@ -31,7 +32,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSettings>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -200,7 +200,7 @@ class TestWindowFirstJob : public QObject, private WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         data_ = std::make_unique<QTemporaryDir>();
         data_before_ = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", data_->path().toUtf8());
@@ -211,7 +211,7 @@ private slots:
         close_window();
         data_before_.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", data_before_);
     }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     /// By the steps above the view, which tick themselves off.
     void a_relief_in_millimetres() {

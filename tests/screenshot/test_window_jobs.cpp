@@ -1,14 +1,20 @@
 // Background jobs: three endings, one door.
 #include "core/base/parallel.h"
 #include "tests/support/test_runner.h"
+#include "ui/aside.h"
 #include "ui/background_job.h"
+#include "ui/settings_file.h"
 
+#include <QCoreApplication>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
 
 #include <atomic>
+#include <memory>
 #include <stdexcept>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -19,7 +25,11 @@ using facetmill::Error;
 using facetmill::ErrorCode;
 using facetmill::Progress;
 using facetmill::ui::BackgroundJob;
+using facetmill::ui::do_aside;
+using facetmill::ui::finish_aside;
 using facetmill::ui::JobEnd;
+using facetmill::ui::let_go;
+using facetmill::ui::SettingsFile;
 
 namespace {
 
@@ -220,5 +230,80 @@ private slots:
     }
 };
 FACETMILL_TEST(TestBackgroundJob)
+
+class TestAside : public QObject {
+    Q_OBJECT
+private slots:
+    void cleanupTestCase() { SettingsFile::own().clear(); }
+
+    void work_is_done_in_order_in_a_thread_that_gives_way() {
+        std::vector<int> done; // read when all is done
+        bool elsewhere = true;
+        for (int i = 0; i < 5; ++i)
+            do_aside([&, i] {
+                QThread::msleep(2);
+                elsewhere = elsewhere && QThread::currentThread() != qApp->thread();
+                done.push_back(i);
+            });
+        finish_aside();
+        QVERIFY(elsewhere);
+        QCOMPARE(done, (std::vector<int>{0, 1, 2, 3, 4}));
+#ifdef __linux__
+        const int own = getpriority(PRIO_PROCESS, 0);
+        if (own >= 15) QSKIP("this process gives way to everything already");
+        int nice = own;
+        do_aside([&] { nice = getpriority(PRIO_PROCESS, 0); });
+        finish_aside();
+        QVERIFY2(nice > own, qPrintable(QString::number(nice)));
+#endif
+    }
+
+    /// Also where somebody still has it for a moment.
+    void large_things_are_freed_elsewhere() {
+        std::atomic<QThread*> freed_in{nullptr};
+        std::shared_ptr<int> thing(new int(7), [&](const int* p) {
+            freed_in = QThread::currentThread();
+            delete p;
+        });
+        auto shown = thing;
+        let_go(std::move(thing));
+        QTest::qWait(50);
+        QVERIFY(!freed_in);
+        shown = nullptr;
+        QVERIFY(!freed_in); // not here
+        QTRY_VERIFY(freed_in);
+        QVERIFY(freed_in != qApp->thread());
+    }
+
+    void settings_are_there_at_once_and_in_the_file_soon() {
+        SettingsFile& own = SettingsFile::own();
+        own.clear();
+        own.set_value(QStringLiteral("a/one"), 1);
+        own.set_value(QStringLiteral("a/two"), QStringList{QStringLiteral("x")});
+        own.set_value(QStringLiteral("b"), QStringLiteral("there"));
+        QCOMPARE(own.value(QStringLiteral("a/one")).toInt(), 1);
+        QCOMPARE(own.value(QStringLiteral("c"), 5).toInt(), 5);
+        QCOMPARE(own.keys(QStringLiteral("a/")),
+                 QStringList({QStringLiteral("a/one"), QStringLiteral("a/two")}));
+        own.remove({QStringLiteral("b")});
+        QVERIFY(!own.value(QStringLiteral("b")).isValid());
+        finish_aside();
+        {
+            QSettings file;
+            QCOMPARE(file.value(QStringLiteral("a/one")).toInt(), 1);
+            QCOMPARE(file.value(QStringLiteral("a/two")).toStringList(), QStringList{QStringLiteral("x")});
+            QVERIFY(!file.contains(QStringLiteral("b")));
+            file.setValue(QStringLiteral("a/one"), 2); // as another window does
+        }
+        QCOMPARE(own.value(QStringLiteral("a/one")).toInt(), 1);
+        own.read_again();
+        QTRY_COMPARE(own.value(QStringLiteral("a/one")).toInt(), 2);
+        own.clear();
+        QVERIFY(!own.value(QStringLiteral("a/one")).isValid());
+        finish_aside();
+        QVERIFY(!QSettings().contains(QStringLiteral("a/one")));
+    }
+};
+FACETMILL_TEST(TestAside)
 
 #include "test_window_jobs.moc"

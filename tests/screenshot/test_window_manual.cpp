@@ -21,6 +21,7 @@
 #include "ui/region_dialog.h"
 #include "ui/scan_controller.h"
 #include "ui/settings.h"
+#include "ui/settings_file.h"
 #include "ui/study_controller.h"
 #include "ui/text.h"
 #include "ui/theme.h"
@@ -44,7 +45,6 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
-#include <QSettings>
 #include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
@@ -192,7 +192,7 @@ class TestWindowManual : public QObject, private WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         QVERIFY(show_window());
     }
     void cleanup() {

@@ -2,12 +2,12 @@
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/mesh_export.h"
+#include "ui/settings_file.h"
 #include "ui/verification_controller.h"
 
 #include <QAction>
 #include <QDir>
 #include <QFile>
-#include <QSettings>
 #include <QTest>
 
 #include <array>
@@ -32,12 +32,12 @@ class TestWindowMeshExport : public QObject, private WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         folder_ = scratch_folder(QStringLiteral("mesh_export"));
         QVERIFY(show_window());
     }
     void cleanup() { close_window(); }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     /// The entries of the menu can be chosen as soon as there is what they write.
     void what_there_is_can_be_chosen() {

@@ -5,10 +5,10 @@
 #include "tests/screenshot/window_states.h"
 #include "tests/screenshot/window_tour.h"
 #include "ui/language.h"
+#include "ui/settings_file.h"
 #include "ui/verification_controller.h"
 
 #include <QDockWidget>
-#include <QSettings>
 #include <QTest>
 
 using namespace facetmill;
@@ -17,9 +17,9 @@ using namespace facetmill::test;
 class TestWindowPictures : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
-    void init() { QSettings().clear(); }
+    void init() { ui::SettingsFile::own().clear(); }
     void cleanup() { leave_as_found(); }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     void every_page_data() {
         QTest::addColumn<QString>("language");

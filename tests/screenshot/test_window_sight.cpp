@@ -6,6 +6,7 @@
 #include "ui/operation_menu.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
+#include "ui/settings_file.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/view_cube.h"
@@ -15,7 +16,6 @@
 #include <QApplication>
 #include <QMenu>
 #include <QMouseEvent>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -41,11 +41,11 @@ class TestWindowSight : public QObject, private WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         QVERIFY(show_window());
     }
     void cleanup() { close_window(); }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     /// By menu and key; picked, zoomed and fitted as it is seen; kept for the next start.
     void perspective() {

@@ -10,6 +10,7 @@
 #include "ui/project_tree.h"
 #include "ui/recent_pictures.h"
 #include "ui/settings.h"
+#include "ui/settings_file.h"
 #include "ui/templates.h"
 #include "ui/text.h"
 #include "ui/tool_library_dialog.h"
@@ -31,7 +32,6 @@
 #include <QMouseEvent>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -57,7 +57,7 @@ class TestWindowStart : public QObject, public WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         data_ = std::make_unique<QTemporaryDir>();
         data_before_ = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", data_->path().toUtf8());
@@ -67,7 +67,7 @@ private slots:
         close_window();
         data_before_.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", data_before_);
     }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     void a_sample_is_begun_from_its_picture() {
         QVERIFY(start_page()->isVisible());
@@ -169,7 +169,7 @@ private slots:
         shot(*dialog, QStringLiteral("dialog-preferences-dark"));
         dialog->reject();
         QCOMPARE(ui::settings::threads(), 1); // nothing was taken
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         ui::take_preferences(w());
         QVERIFY(thread_count() > 1 || QThread::idealThreadCount() == 1);
     }

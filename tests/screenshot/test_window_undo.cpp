@@ -7,6 +7,7 @@
 #include "ui/parameter_form.h"
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
+#include "ui/settings_file.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
@@ -21,7 +22,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSet>
-#include <QSettings>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -194,7 +194,7 @@ class TestWindowUndo : public QObject, private WindowFixture {
 
 private slots:
     void init() {
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
         QVERIFY(show_window() && open_part());
         QVERIFY(activate(w()));
         w().resize(1280, 1000);
@@ -207,7 +207,7 @@ private slots:
         no_files_.stop();
         no_files_.disconnect();
         close_window();
-        QSettings().clear();
+        ui::SettingsFile::own().clear();
     }
 
     void every_field_of_every_operation() {
