@@ -1,6 +1,7 @@
 #include "ui/kept_plans.h"
 
 #include "core/base/file.h"
+#include "core/base/parallel.h"
 #include "ui/kept_reading.h"
 #include "ui/text.h"
 #include "ui/verification_controller.h"
@@ -184,6 +185,7 @@ void KeptPlans::keep() {
     writing_ = true;
     if (thread_.joinable()) thread_.join();
     thread_ = std::thread([this, writing, contents = contents_] {
+        lower_thread_priority();
         writing->run(*contents, {});
         QMetaObject::invokeMethod(
             this, [this, writing] { end_writing(*writing); }, Qt::QueuedConnection);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #ifdef __linux__
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
@@ -92,10 +93,12 @@ void lower_thread_priority() {
     if (low_priority) return;
     low_priority = true;
 #ifdef __linux__
-    // Beside the program's first thread, the one with the window, half of its share where there is not enough
-    // for both. 0 is the calling thread alone.
-    const int nice = std::min(19, getpriority(PRIO_PROCESS, id_t(getpid())) + 3);
+    // Beside the program's first thread, the one with the window, a third of its share where there is not
+    // enough for both; and it does not push that one aside when it is woken. 0 is the calling thread alone.
+    const int nice = std::min(19, getpriority(PRIO_PROCESS, id_t(getpid())) + 5);
     if (getpriority(PRIO_PROCESS, 0) < nice) setpriority(PRIO_PROCESS, 0, nice);
+    const sched_param none{};
+    if (sched_getscheduler(0) == SCHED_OTHER) sched_setscheduler(0, SCHED_BATCH, &none);
 #endif
 }
 
