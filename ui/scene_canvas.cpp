@@ -95,6 +95,8 @@ void SceneCanvas::paint_gl() {
     const bool resized = w->GetSize()[0] != size.width() || w->GetSize()[1] != size.height();
     if (resized) stop_steps();
     if (awaiting()) return;
+    // All around it was laid out and is painted in this round of the event loop, which is enough for one.
+    if (resized && frames_ > 0 && pace_timer_.isActive() && testAttribute(Qt::WA_WState_InPaintEvent)) return;
     if (!dirty_ && !resized) return draw_painted();
     dirty_ = false;
     w->SetSize(size.width(), size.height());
@@ -333,6 +335,7 @@ QImage SceneCanvas::full_picture() {
 void SceneCanvas::resizeEvent(QResizeEvent* event) {
     GlCanvas::resizeEvent(event);
     refresh();
+    pace_timer_.start();
 }
 
 } // namespace facetmill::ui
