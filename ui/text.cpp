@@ -1,5 +1,6 @@
 #include "ui/text.h"
 
+#include "core/base/figures.h"
 #include "core/mesh/mesh_format.h"
 #include "ui/worded.h"
 
@@ -92,7 +93,9 @@ QString with_decimal_point(const QString& entered, const std::string& where) {
 }
 
 QString shown_length(double mm, LengthUnit unit, int digits) {
-    return number_text(mm / mm_per(unit), digits) + QChar(0x00A0) + text(unit_name(unit));
+    const QString length = in_user_numbers(text(length_text(mm, unit, digits)));
+    const qsizetype gap = length.lastIndexOf(QChar(' '));
+    return length.left(gap) + QChar(0x00A0) + length.mid(gap + 1);
 }
 
 QString shown_area(double mm2, LengthUnit unit, int digits) {
@@ -117,9 +120,7 @@ QString duration_text(double seconds) {
 }
 
 QString percent_text(double share) {
-    const double p = 100 * share;
-    if (p > 0 && p < 0.01) return in_user_numbers(QStringLiteral("< 0.01 %"));
-    return in_user_numbers(QString::number(p, 'g', 3)) + QStringLiteral(" %");
+    return in_user_numbers(text(facetmill::percent_text(share)));
 }
 
 QString elided(const QString& text, int characters) {
@@ -148,15 +149,17 @@ QString said_of(const QString& what, const QString& said) {
 
 QString with_lengths_in(const QString& message, LengthUnit unit) {
     if (unit == LengthUnit::mm) return message;
-    static const QRegularExpression length(
-        QStringLiteral("(?<![\\w.,])(-?\\d+(?:[.,]\\d+)?(?:e[-+]?\\d+)?) mm(?![\\w/²])"));
+    static const QRegularExpression length(QStringLiteral(
+        "(?<![\\w.,])(?:< (?=0[.,]0001 ))?(-?\\d+(?:[.,]\\d+)?(?:e[-+]?\\d+)?) mm(?![\\w/²])"));
     QString result;
     qsizetype from = 0;
     for (auto it = length.globalMatch(message); it.hasNext();) {
         const auto match = it.next();
         result += message.mid(from, match.capturedStart() - from);
         const double mm = match.captured(1).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
-        result += number_text(mm / mm_per(unit), 5) + QChar(' ') + text(unit_name(unit));
+        // What is less than the least that is said in one unit is less than that of the other.
+        const bool less = match.captured(0).startsWith(QChar('<'));
+        result += in_user_numbers(text(length_text(less ? mm / 2 : mm, unit, 5)));
         from = match.capturedEnd();
     }
     return result + message.mid(from);

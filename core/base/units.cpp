@@ -103,7 +103,13 @@ std::string format_number(double value, int digits) {
 }
 
 std::string length_text(double mm, LengthUnit unit, int digits) {
-    return format_number(mm / mm_per(unit), digits) + " " + std::string(unit_name(unit));
+    // What is less was not measured, and is nothing that a machine could do.
+    const double least = unit == LengthUnit::mm ? 1e-4 : 1e-5, nothing = 1e-9;
+    const double value = mm / mm_per(unit);
+    const std::string name = " " + std::string(unit_name(unit));
+    if (std::abs(value) < nothing) return "0" + name;
+    if (std::abs(value) < least) return (value > 0 ? "< " : "> -") + format_number(least) + name;
+    return format_number(value, digits) + name;
 }
 
 std::string duration_text(double seconds) {

@@ -1,6 +1,7 @@
 #include "core/job/setup_sheet.h"
 
 #include "core/base/error.h"
+#include "core/base/figures.h"
 #include "core/job/posting.h"
 #include "core/job/program_files.h"
 #include "core/job/work_zero.h"
@@ -90,7 +91,7 @@ public:
     std::string say(const std::string& english) const { return said_in(language_, english); }
 
     std::string number(double mm, int digits = 5) const {
-        return format_number(mm / mm_per(project_.unit), digits);
+        return coordinate_text(mm / mm_per(project_.unit), digits);
     }
     std::string length(double mm, int digits = 5) const { return length_text(mm, project_.unit, digits); }
     std::string unit() const { return std::string(unit_name(project_.unit)); }
@@ -421,10 +422,7 @@ void Sheet::verification(std::span<const VerifyProgram> programs, const Verifica
     heading("Verification by removal of material");
     begin_facts();
     const DeviationFigures& f = v.figures;
-    const auto percent = [](double share) {
-        return share > 0 && share < 1e-4 ? "less than 0.01 % of the surface"
-                                         : format_number(100 * share, 3) + " % of the surface";
-    };
+    const auto percent = [](double share) { return percent_text(share) + " of the surface"; };
     fact("Deepest gouge",
          length(std::max(f.gouge_max, v.border.gouge_max), 3) + ", allowed " + length(v.used.gouge_limit, 3));
     fact("Collisions", std::to_string(v.collisions.size()));

@@ -1,5 +1,6 @@
 #include "core/job/verification.h"
 
+#include "core/base/figures.h"
 #include "core/base/strict_json.h"
 #include "core/base/tolerances.h"
 #include "core/job/verify_object.h"
@@ -145,7 +146,6 @@ std::string place_text(const MotionPlace& at, std::span<const VerifyProgram> pro
 
 /// "12 % of what is to be cut is left uncut, up to 3.1 mm (no tool fits: 11 %; ...), limit 2 %".
 std::string uncut_text(const Verification& v, LengthUnit unit) {
-    const auto percent = [](double share) { return format_number(100 * share, 3) + " %"; };
     double area = 0, highest = 0;
     for (const UncutReason& r : v.uncut)
         if (r.counts()) {
@@ -156,9 +156,9 @@ std::string uncut_text(const Verification& v, LengthUnit unit) {
     for (const UncutReason& r : v.uncut)
         if (r.counts())
             reasons += (reasons.empty() ? "" : ", ") + uncut_reason_text(r) + ": "
-                       + percent(area > 0 ? v.uncut_share * r.area / area : 0);
-    return percent(v.uncut_share) + " of what is to be cut is left uncut, up to " + length_text(highest, unit)
-           + " (" + reasons + "), limit " + percent(v.used.uncut_limit);
+                       + percent_text(area > 0 ? v.uncut_share * r.area / area : 0);
+    return percent_text(v.uncut_share) + " of what is to be cut is left uncut, up to "
+           + length_text(highest, unit) + " (" + reasons + "), limit " + percent_text(v.used.uncut_limit);
 }
 
 } // namespace

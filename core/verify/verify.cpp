@@ -1,5 +1,6 @@
 #include "core/verify/verify.h"
 
+#include "core/base/figures.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
@@ -44,10 +45,6 @@ constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the a
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string percent(double share) {
-    return format_number(100 * share, 3) + " %";
 }
 
 struct Radii {
@@ -171,15 +168,15 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
             "of its own.");
     if (away > 0)
         remarks.push_back(
-            percent(away / area)
+            percent_text(away / area)
             + " of the part's area faces no tool axis of the programs (walls, undersides): there only "
               "gouges count.");
     if (hidden > 0)
-        remarks.push_back(percent(hidden / area)
+        remarks.push_back(percent_text(hidden / area)
                           + " of the part's area is hidden from all tool axes by other parts of it: there "
                             "only gouges count.");
     if (bare > 0)
-        remarks.push_back("The stock does not reach " + percent(bare / area)
+        remarks.push_back("The stock does not reach " + percent_text(bare / area)
                           + " of the part's area: there only gouges count.");
     if (area > 0 && counted == 0)
         remarks.emplace_back("That is the whole part: nowhere is what the programs leave held against the "
@@ -236,7 +233,7 @@ std::string not_judged_why(const Verification& v, const SurfaceSamples& samples,
     const double seen = v.figures.area + v.border.area;
     if (v.used.tolerance > 0 && v.border.uncut_fraction * v.border.area > v.used.uncut_limit * seen)
         return "more than twice the tolerance stays on "
-               + percent(v.border.uncut_fraction * v.border.area / seen)
+               + percent_text(v.border.uncut_fraction * v.border.area / seen)
                + " of the surface near the part's open borders, where paths may end";
     if (v.used.tolerance > 0
         && std::find(samples.flags.begin(), samples.flags.end(), DeviationSurface::counted)

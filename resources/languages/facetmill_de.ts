@@ -6088,10 +6088,6 @@
         <translation>Längslinien</translation>
     </message>
     <message>
-        <source>less than 0.01 % of the surface</source>
-        <translation>weniger als 0,01 % der Fläche</translation>
-    </message>
-    <message>
         <source>let coarser settings vary</source>
         <translation>gröbere Einstellungen variieren lassen</translation>
     </message>
@@ -10102,10 +10098,6 @@
     <message>
         <source>{1} % of the strips stays uncut{2}, as at {3}</source>
         <translation>{1} % der Streifen bleiben stehen{2}, etwa bei {3}</translation>
-    </message>
-    <message>
-        <source>{1} % of the surface</source>
-        <translation>{1} % der Fläche</translation>
     </message>
     <message>
         <source>{1} % of {2}</source>

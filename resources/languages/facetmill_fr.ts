@@ -6088,10 +6088,6 @@
         <translation>en long</translation>
     </message>
     <message>
-        <source>less than 0.01 % of the surface</source>
-        <translation>moins de 0,01 % de la surface</translation>
-    </message>
-    <message>
         <source>let coarser settings vary</source>
         <translation>faire varier des réglages plus grossiers</translation>
     </message>
@@ -10102,10 +10098,6 @@
     <message>
         <source>{1} % of the strips stays uncut{2}, as at {3}</source>
         <translation>{1} % des bandes restent non usinés{2}, comme à {3}</translation>
-    </message>
-    <message>
-        <source>{1} % of the surface</source>
-        <translation>{1} % de la surface</translation>
     </message>
     <message>
         <source>{1} % of {2}</source>

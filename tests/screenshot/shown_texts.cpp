@@ -105,6 +105,12 @@ QStringList shown_texts(const QWidget& window) {
     return {lines.begin(), lines.end()};
 }
 
+bool has_silly_figure(const QString& shown) {
+    static const QRegularExpression silly(
+        QStringLiteral("(?<![\\w.,])(?:0[.,]00000\\d*[1-9]|\\d+(?:[.,]\\d+)?e-\\d+)(?![\\w.,]*[A-Za-z])"));
+    return silly.match(shown).hasMatch();
+}
+
 EnglishTexts::EnglishTexts(const QString& language) {
     QFile file(QStringLiteral(FACETMILL_TEST_DATA "/../resources/languages/facetmill_%1.ts").arg(language));
     if (!file.open(QIODevice::ReadOnly)) return;

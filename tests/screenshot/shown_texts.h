@@ -13,6 +13,9 @@ namespace facetmill::test {
 /// reports, tool tips. What is painted is not among it.
 QStringList shown_texts(const QWidget& window);
 
+/// A number that nobody reads: "0.00000608", "1.2e-16".
+bool has_silly_figure(const QString& shown);
+
 /// Knows English texts where another language is spoken, by that language's file.
 class EnglishTexts {
 public:

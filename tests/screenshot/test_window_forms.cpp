@@ -361,6 +361,14 @@ private slots:
                  QStringLiteral(
                      "the tip goes 1 in below -0.5 in at 100 mm/min in 5 mm² of T1.5 mm, 0.00003937 in"));
     }
+    void figures_have_a_floor_in_every_unit() {
+        QCOMPARE(ui::shown_length(2e-6, LengthUnit::mm), QStringLiteral("< 0.0001\u00a0mm"));
+        QCOMPARE(ui::shown_length(2e-6, LengthUnit::inch), QStringLiteral("< 0.00001\u00a0in"));
+        QCOMPARE(ui::with_lengths_in(QStringLiteral("up to < 0.0001 mm, < 5 mm"), LengthUnit::inch),
+                 QStringLiteral("up to < 0.00001 in, < 0.19685 in"));
+        QCOMPARE(ui::percent_text(3e-7), QStringLiteral("< 0.01 %"));
+        QCOMPARE(ui::percent_text(0.125), QStringLiteral("12.5 %"));
+    }
     void names_are_listed_as_a_sentence_has_them() {
         QCOMPARE(ui::some_of({}), QString());
         QCOMPARE(ui::some_of({"a"}), QStringLiteral("a"));

@@ -1,5 +1,6 @@
 #include "core/strategy/global_local/global_local.h"
 
+#include "core/base/figures.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/five_axis/five_axis_parameters.h"
@@ -31,10 +32,6 @@ constexpr double told_share = 1e-5;
 constexpr double max_left_share = 0.1;
 std::string minutes_text(double seconds) {
     return format_number(seconds / 60, 3) + " min";
-}
-
-std::string percent_text(double share) {
-    return format_number(100 * share, 2) + " %";
 }
 
 std::string region_count(std::size_t n) {
@@ -297,7 +294,7 @@ private:
                 where = ", as at " + length_text(p.x(), context_.unit) + ", "
                         + length_text(p.y(), context_.unit) + ", " + length_text(p.z(), context_.unit);
             }
-            told.push_back(percent_text(plan_->remaining_area / total_)
+            told.push_back(percent_text(plan_->remaining_area / total_, 2)
                            + " of the surface is cleared by neither path" + where
                            + (settings_.rework_tool != 0 ? ": use a smaller rework tool" : ""));
         }

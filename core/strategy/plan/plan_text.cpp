@@ -1,5 +1,7 @@
 #include "core/strategy/plan/plan_text.h"
 
+#include "core/base/figures.h"
+
 #include <algorithm>
 
 namespace facetmill {
@@ -18,7 +20,7 @@ std::string PlanText::operator()(const Vec3& place) const {
     const Vec3 p = to_setup * place;
     std::string all;
     for (int k = 0; k < 3; ++k)
-        all += (k == 0 ? "(" : ", ") + format_number(p[k] / mm_per(unit), 5);
+        all += (k == 0 ? "(" : ", ") + coordinate_text(p[k] / mm_per(unit));
     return all + ") " + std::string(unit_name(unit));
 }
 

@@ -1,4 +1,5 @@
 // The base room: errors, units, parameters, progress, loops, files.
+#include "core/base/figures.h"
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/base/parameter.h"
@@ -194,6 +195,22 @@ private slots:
         QCOMPARE(format_number(0.25), std::string("0.25"));
         QCOMPARE(format_number(-0.0), std::string("0"));
         QCOMPARE(format_number(100000.0), std::string("100000"));
+    }
+
+    void figures_have_a_floor() {
+        QCOMPARE(percent_text(0), std::string("0 %"));
+        QCOMPARE(percent_text(6.08e-8), std::string("< 0.01 %"));
+        QCOMPARE(percent_text(1e-4), std::string("0.01 %"));
+        QCOMPARE(percent_text(0.12345), std::string("12.3 %"));
+        QCOMPARE(percent_text(0.12345, 2), std::string("12 %"));
+        QCOMPARE(length_text(6.08e-8, LengthUnit::mm), std::string("< 0.0001 mm"));
+        QCOMPARE(length_text(-6.08e-8, LengthUnit::mm), std::string("> -0.0001 mm"));
+        QCOMPARE(length_text(1e-14, LengthUnit::mm), std::string("0 mm"));
+        QCOMPARE(length_text(1e-4, LengthUnit::mm), std::string("0.0001 mm"));
+        QCOMPARE(length_text(1e-4, LengthUnit::inch), std::string("< 0.00001 in"));
+        QCOMPARE(length_text(0.02, LengthUnit::inch), std::string("0.0007874 in"));
+        QCOMPARE(coordinate_text(-1.2e-16), std::string("0"));
+        QCOMPARE(coordinate_text(12.345678), std::string("12.346"));
     }
 
     void parameters_read_in_units() {
