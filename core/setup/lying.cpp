@@ -16,6 +16,8 @@ namespace facetmill {
 
 namespace {
 
+constexpr double noticeable_move = 5e-4; // mm
+
 /// Share of the part's box that a face may be uneven and still be one face, and the cosine and sine of what
 /// its normals may differ by: a scanned or milled plane is one.
 constexpr double uneven_share = 2e-4, even_cosine = 0.9998, even_sine = 0.02;
@@ -423,9 +425,18 @@ Box3 turned_box(const Mesh& mesh, const Mat3& turn) {
     return box;
 }
 
-Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& turn) {
+Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& given) {
     const Vec3 was = mesh.box().center();
-    const Placement after = turned(placement, turn, Vec3::Zero());
+    Placement after = turned(placement, given, Vec3::Zero());
+    // Normals of facets are as good as the numbers of their file: angles that are whole degrees but for what
+    // moves no point noticeably are whole degrees.
+    const double reach = 0.5 * mesh.box().size().norm();
+    for (double& angle : after.rotate)
+        if (const double whole = radians(std::round(degrees(angle)));
+            std::abs(angle - whole) * reach < noticeable_move)
+            angle = whole + 0.0;
+    const Mat3 turn = rotation_of(after.rotate) * rotation_of(placement.rotate).transpose();
+    after.translate = turned(placement, turn, Vec3::Zero()).translate;
     const Box3 box = turned_box(mesh, turn);
     return moved(after, Vec3(was.x() - box.center().x(), was.y() - box.center().y(), -box.lo.z()));
 }

@@ -58,7 +58,8 @@ Mat3 turn_to_principal(const Mesh& mesh);
 /// The box of a mesh once turned about the origin.
 Box3 turned_box(const Mesh& mesh, const Mat3& turn);
 /// The placement of a part (`mesh`: in its place) after a turn: the middle of its box keeps its X and Y, and
-/// its lowest point has Z 0.
+/// its lowest point has Z 0. Angles that are whole degrees but for half a thousandth of a millimetre of the
+/// part are whole degrees.
 Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& turn);
 
 } // namespace facetmill

@@ -210,6 +210,25 @@ private slots:
         QVERIFY((now.size() - Vec3(10, 30, 60)).norm() < 1e-8);
     }
 
+    void laying_leaves_whole_degrees() {
+        const Mesh block = box(Vec3(0, 0, 0), Vec3(60, 40, 20));
+        // As the normal of a facet comes out of a file of single precision.
+        const Vec3 crooked = Vec3(3e-8, 1, -5e-8).normalized();
+        const Placement at = laid({}, block, turn_to_lie(crooked));
+        for (const double angle : at.rotate)
+            QCOMPARE(degrees(angle), std::round(degrees(angle)));
+        double lowest = 1e9;
+        for (const Vec3& v : block.vertices)
+            lowest = std::min(lowest, place(at, v).z());
+        QVERIFY(std::abs(lowest) < 1e-8);
+        // What is crooked by more stays so.
+        const Placement tilted = laid({}, block, turn_to_lie(Vec3(1e-3, 1, 0).normalized()));
+        bool whole = true;
+        for (const double angle : tilted.rotate)
+            whole = whole && degrees(angle) == std::round(degrees(angle));
+        QVERIFY(!whole);
+    }
+
     /// The axes of what has been turned at random come back, by the smallest turn of the four that bring
     /// them.
     void principal_axes_come_back() {
