@@ -140,8 +140,8 @@ void Overlay::lay_out_title(const OverlayContent& content, bool draw, OverlayLay
 
 void Overlay::lay_out_legend(const OverlayContent& content, bool draw, OverlayLayout& layout) {
     if (content.legend.empty() && content.color_bars.empty()) return;
-    const double width = canvas_.width(), height = canvas_.height();
-    // Below, the workbench has its cube.
+    const double width = canvas_.width(), height = canvas_.height() - content.covered_below;
+    // Below, the workbench has its cube, above what it has along the lower edge.
     const double widest = 0.45 * width, highest = std::min(0.6 * height, height - 170);
     const auto entries_width = [&] {
         double label = 0;

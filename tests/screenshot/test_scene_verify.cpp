@@ -4,12 +4,16 @@
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
 #include "viz/offscreen.h"
+#include "viz/overlay.h"
 #include "viz/palette.h"
 #include "viz/render_picture.h"
 
 #include <QTest>
 
 #include <cmath>
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -329,6 +333,30 @@ private slots:
         }
         scene.end_steps();
         QVERIFY(compare_pictures(last, whole).worst >= min_similarity);
+    }
+
+    /// Also above what lies along the lower edge of a small view, as messages do.
+    void a_scale_leaves_room_for_the_cube() {
+        constexpr double cube = 92 + 52; // with the scale bar below it
+        const vtkNew<vtkRenderer> renderer;
+        Overlay overlay(renderer);
+        OverlayContent content;
+        content.width = 468;
+        content.height = 360;
+        ColorBar bar;
+        bar.title = "Deviation (mm)";
+        bar.colors = {Rgb(), Rgb()};
+        bar.low_text = "gouge";
+        bar.high_text = "excess";
+        bar.marks = {{0, "-0.2"}, {1, "+0.4"}};
+        bar.other = {Rgb(), "not judged"};
+        content.color_bars = {bar};
+        for (const double covered : {0.0, 37.0}) {
+            content.covered_below = covered;
+            const LayoutRect legend = overlay.layout(content).legend;
+            QVERIFY(!legend.empty());
+            QVERIFY2(legend.y1 < content.height - covered - cube, qPrintable(QString::number(legend.y1)));
+        }
     }
 
     void a_part_in_inches_has_a_legend_in_inches() {
