@@ -7,14 +7,17 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/worded.h"
+#include "viz/cspace_scene.h"
 #include "viz/overlay.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QProgressBar>
 #include <QScrollArea>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -133,6 +136,7 @@ CSpacePanel::CSpacePanel(QWidget* parent) : QWidget(parent) {
     over->addLayout(busy);
     over->addStretch(1);
     column->addWidget(view_, 1);
+    view_->installEventFilter(this);
     legend_ = new QWidget(this);
     legend_->setObjectName(QStringLiteral("cspace_legend"));
     auto* flow = new FlowLayout(legend_, 10);
@@ -186,10 +190,21 @@ void CSpacePanel::set_ready(bool point, bool study) {
         b->setEnabled(study);
 }
 
+bool CSpacePanel::names_in_legend() const {
+    return view_->height() < CSpaceScene::min_height_of_names;
+}
+
+bool CSpacePanel::eventFilter(QObject* object, QEvent* event) {
+    if (object == view_ && event->type() == QEvent::Resize && names_in_legend() != legend_names_)
+        QTimer::singleShot(0, this, &CSpacePanel::show_legend);
+    return QWidget::eventFilter(object, event);
+}
+
 void CSpacePanel::show_legend() {
     qDeleteAll(legend_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    legend_names_ = names_in_legend();
     for (const LegendEntry& entry : view_->scene().legend()) {
-        if (entry.sample == LegendEntry::Sample::spot) continue; // they have their names in the view
+        if (entry.sample == LegendEntry::Sample::spot && !legend_names_) continue; // named in the view
         auto* item = new QWidget(legend_);
         auto* row = new QHBoxLayout(item);
         row->setContentsMargins(0, 0, 0, 0);

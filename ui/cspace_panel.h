@@ -39,6 +39,7 @@ public:
     /// Lists them in the menu of their button, which is hidden where there are none.
     void show_kept(const std::vector<Kept>& all);
     QSize sizeHint() const override { return {400, 460}; }
+    bool eventFilter(QObject* object, QEvent* event) override;
 
 signals:
     void stepped(int points, int passes);
@@ -51,6 +52,9 @@ signals:
     void kept_chosen(std::size_t point);
 
 private:
+    /// The view is too low for the names of postures.
+    bool names_in_legend() const;
+
     CSpaceView* view_ = nullptr;
     ElidedLabel* heading_ = nullptr;
     QLabel* readout_ = nullptr;
@@ -59,6 +63,7 @@ private:
     QToolButton *cancel_ = nullptr, *back_ = nullptr, *picture_ = nullptr, *table_ = nullptr;
     QToolButton *keep_ = nullptr, *remove_ = nullptr, *kept_ = nullptr;
     std::vector<QToolButton*> steps_;
+    bool legend_names_ = false; ///< the legend has them
 };
 
 } // namespace facetmill::ui

@@ -48,14 +48,8 @@ std::vector<LegendEntry> cspace_legend(const CSpaceContent& content, Palette pal
         if (has(PostureBlock(b)))
             entries.push_back({Sample::surface, posture_block_color(PostureBlock(b)), 1,
                                posture_block_label(PostureBlock(b))});
-    for (std::size_t k = 0; k < cspace_choices; ++k) {
-        bool merged = false;
-        for (std::size_t l = 0; l < k; ++l)
-            merged = merged || same(content.choices[l], content.choices[k]);
-        if (content.choices[k].free && !merged)
-            entries.push_back(
-                {Sample::spot, cspace_choice_color(k), 1, std::string("Chosen: ") + cspace_choice_label(k)});
-    }
+    for (const CSpaceMarker& marker : cspace_markers(content, [](const PostureValue&) { return Vec2(0, 0); }))
+        entries.push_back({Sample::spot, marker.color, 1, "Chosen: " + marker.name});
     return entries;
 }
 
@@ -93,6 +87,7 @@ void add_markers(OverlayContent& content, std::vector<CSpaceMarker> markers,
         written.push_back(note_rect(n, name_width));
     const double width = content.width / content.ratio;
     for (const CSpaceMarker& m : markers) {
+        if (m.name.empty()) continue;
         const double w = name_width(m.name);
         const double right = m.at.x() + beside, left = m.at.x() - beside - w;
         Vec2 place(right + w > width - margin ? std::max(4.0, left) : right, m.at.y());

@@ -23,9 +23,9 @@ struct CSpaceMarker {
 std::vector<CSpaceMarker> cspace_markers(const CSpaceContent& content,
                                          const std::function<Vec2(const PostureValue&)>& shown);
 
-/// Spots and names. A name stands beside its marker where it covers neither another marker nor another name,
-/// nor a note that is there, as the numbers of the axes are; else on a line below or above. `name_width`: of
-/// a text in layout pixels.
+/// Spots and names, unless they are empty. A name stands beside its marker where it covers neither another
+/// marker nor another name, nor a note that is there, as the numbers of the axes are; else on a line below or
+/// above. `name_width`: of a text in layout pixels.
 void add_markers(OverlayContent& content, std::vector<CSpaceMarker> markers,
                  const std::function<double(const std::string&)>& name_width);
 

@@ -243,7 +243,7 @@ struct CSpaceScene::Impl {
                 c.notes.push_back({p, 0, t.text, false, false});
                 last = p;
             }
-            if (small()) continue;
+            if (small() && names_fit()) continue; // postures have theirs there
             const double aside = 0.5 * overlay->note_width(axis->name, true) * std::abs(route.x()) + 28;
             c.notes.push_back({shown(axis->middle) + aside * route, 0, axis->name, true, false});
         }
@@ -300,6 +300,7 @@ struct CSpaceScene::Impl {
 
     /// Too small for more than the box itself.
     bool small() const { return window_size().y() / ratio < 240; }
+    bool names_fit() const { return window_size().y() / ratio >= min_height_of_names; }
 
     OverlayContent overlay_content(bool with_notes) {
         const Eigen::Vector2i size = window_size();
@@ -325,6 +326,9 @@ struct CSpaceScene::Impl {
             if (probe)
                 markers.push_back(
                     {display_of(display->place(*probe)) / ratio, colors_of(palette).marker_ring, "tried"});
+            if (!names_fit())
+                for (CSpaceMarker& marker : markers)
+                    marker.name.clear();
             const auto width = [&](const std::string& name) { return overlay->note_width(name, true); };
             add_markers(c, std::move(markers), width);
             if (content->free_nodes == 0)

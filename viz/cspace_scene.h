@@ -40,6 +40,9 @@ public:
     void set_probe(const std::optional<PostureValue>& posture);
     /// What the colours mean, of what there is to see.
     std::vector<LegendEntry> legend() const;
+    /// A picture lower than this, in layout pixels, has no room for the names of postures beside those of the
+    /// axes: the legend alone has them then.
+    static constexpr double min_height_of_names = 200;
 
     /// Looks from the standard direction and fits.
     void reset_view();

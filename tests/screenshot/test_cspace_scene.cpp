@@ -266,6 +266,28 @@ private slots:
         QVERIFY(numbers > 500);
     }
 
+    /// In a low picture they would hide the axes: the legend has them, merged as the markers are.
+    void a_low_picture_leaves_names_to_the_legend() {
+        OffscreenWindow window;
+        CSpaceScene scene;
+        scene.set_content(std::make_shared<const CSpaceContent>(crowded_point()));
+        const auto framed = [&] {
+            const auto notes = scene.notes();
+            return std::count_if(notes.begin(), notes.end(), [](const OverlayNote& n) { return n.framed; });
+        };
+        const auto legend = scene.legend();
+        const auto chosen = std::count_if(legend.begin(), legend.end(), [](const LegendEntry& e) {
+            return e.sample == LegendEntry::Sample::spot && e.label.rfind("Chosen: ", 0) == 0;
+        });
+        QVERIFY(chosen > 1);
+        for (const int height : {300, 150}) {
+            window.show(scene, 300, height);
+            scene.reset_view();
+            window.render();
+            QCOMPARE(framed(), height < CSpaceScene::min_height_of_names ? 0 : chosen);
+        }
+    }
+
     void names_of_markers_keep_off_numbers() {
         OverlayContent content;
         content.width = 300;
