@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace facetmill::ui {
@@ -18,10 +19,19 @@ namespace {
 
 /// Width of those on the left: a form of lengths with their units.
 constexpr int left_width = 312;
-/// Width of the docks on the right at which their tabs can be read whole.
-constexpr int right_width = 306;
+/// Width of the docks on the right at which their tabs can be read whole in most languages, and at most.
+constexpr int right_width = 306, widest_right = 360;
 /// A window below this width has no room for docks on both sides.
 constexpr int narrow_window = 1000;
+
+/// Of docks on the right whose tabs stand side by side.
+int width_of_tabs(std::initializer_list<const QDockWidget*> docks) {
+    constexpr int beside = 26; // a tab is wider than its name
+    int width = 0;
+    for (const QDockWidget* dock : docks)
+        width += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + beside;
+    return std::clamp(width, right_width, widest_right);
+}
 
 } // namespace
 
@@ -132,7 +142,8 @@ bool WindowDocks::stands_right(QDockWidget* dock) const {
 void WindowDocks::size_as_new() {
     const auto at = [this](const char* name) { return docks_.at(QLatin1String(name)); };
     window_.resizeDocks({at("project_dock"), at("properties_dock")}, {230, 420}, Qt::Vertical);
-    window_.resizeDocks({at("project_dock"), at("report_dock")}, {left_width, right_width}, Qt::Horizontal);
+    const int right = width_of_tabs({at("report_dock"), at("verification_dock"), at("cspace_dock")});
+    window_.resizeDocks({at("project_dock"), at("report_dock")}, {left_width, right}, Qt::Horizontal);
     window_.resizeDocks({at("log_dock")}, {96}, Qt::Vertical);
 }
 
@@ -190,7 +201,7 @@ void WindowDocks::go_back() {
                 window_.tabifyDockWidget(verification, dock);
         report->raise();
     }
-    window_.resizeDocks({report}, {right_width}, Qt::Horizontal);
+    window_.resizeDocks({report}, {width_of_tabs({report, verification, at("cspace_dock")})}, Qt::Horizontal);
 }
 
 } // namespace facetmill::ui

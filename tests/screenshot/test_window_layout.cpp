@@ -9,6 +9,7 @@
 #include "ui/elided_label.h"
 #include "ui/language.h"
 #include "ui/properties_panel.h"
+#include "ui/settings_file.h"
 #include "ui/text.h"
 #include "ui/viewport.h"
 #include "ui/whole_text.h"
@@ -16,11 +17,12 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QSettings>
+#include <QTabBar>
 #include <QTest>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -47,9 +49,9 @@ QString never_asked(const QString& text) {
 class TestWindowLayout : public QObject, private WindowFixture {
     Q_OBJECT
 private slots:
-    void init() { QSettings().clear(); }
+    void init() { ui::SettingsFile::own().clear(); }
     void cleanup() { leave_as_found(); }
-    void cleanupTestCase() { QSettings().clear(); }
+    void cleanupTestCase() { ui::SettingsFile::own().clear(); }
 
     void all_can_be_read_data() {
         QTest::addColumn<QString>("language");
@@ -107,6 +109,8 @@ private slots:
         for (const OperationKind& kind : operation_kinds())
             texts.remove(ui::text(kind.label.substr(0, kind.label.find_first_of(",("))));
         for (auto it = texts.cbegin(); it != texts.cend(); ++it)
+            if (has_silly_figure(it.key())) found << it.value() + QStringLiteral(": ") + it.key();
+        for (auto it = texts.cbegin(); it != texts.cend(); ++it)
             if (const QString why = made_up ? never_asked(it.key()) : english.in(it.key()); !why.isEmpty())
                 found << it.value() + QStringLiteral(": ") + why;
         QVERIFY(painted.any());
@@ -122,6 +126,36 @@ private slots:
         QVERIFY(form >= 270);
         QVERIFY(w().viewport().width() >= 200 && w().viewport().height() >= 200);
         if (!made_up) QCOMPARE(w().size(), size);
+    }
+
+    void tabs_on_the_right_are_whole_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "fr"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+    void tabs_on_the_right_are_whole() {
+        QFETCH(QString, language);
+        ui::speak(language);
+        QVERIFY(show_window());
+        w().resize(1280, 800);
+        QTest::qWait(50);
+        const QString title = w().findChild<QDockWidget*>(QStringLiteral("cspace_dock"))->windowTitle();
+        const QTabBar* found = nullptr;
+        for (const QTabBar* bar : w().findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+            for (int i = 0; i < bar->count(); ++i)
+                if (bar->tabText(i) == title) found = bar;
+        QVERIFY(found && found->isVisible());
+        QVERIFY(found->count() >= 3);
+        const int end = found->tabRect(found->count() - 1).right();
+        QVERIFY2(end <= found->width(), qPrintable(QStringLiteral("%1 %2").arg(end).arg(found->width())));
+    }
+
+    void a_silly_figure_is_found() {
+        for (const char* silly : {"0.00000608 % of it", "by 0,000001 mm", "-1.2e-16", "up to 3e-07 in"})
+            QVERIFY2(has_silly_figure(QLatin1String(silly)), silly);
+        for (const char* good :
+             {"< 0.00001 in", "0.0000394 in", "0.02", "1000000 and 10.000005", "T1e-3.stl.txt", ""})
+            QVERIFY2(!has_silly_figure(QLatin1String(good)), good);
     }
 
     /// A cut word is seen: the test itself.
