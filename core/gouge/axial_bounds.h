@@ -18,6 +18,8 @@ namespace {
 /// What bounds need to know of a cutter at a place. They are shorter where the shape is known.
 template <bool tilted, SurfaceShape shape>
 struct Bounds {
+    static constexpr bool ball = shape == SurfaceShape::ball, flat = shape == SurfaceShape::flat;
+
     const IndexView& index;
     const SurfaceTable& surface;
     const AxialQuery& query;
@@ -29,6 +31,7 @@ struct Bounds {
     float margin;     ///< bounds are wrong by less
     float uncertain;  ///< how much a bound changes with a position, at most
     float at[3];      ///< the index's origin from the place
+    float at_low[2];  ///< what its rounding leaves out; vertical axis
     float turn[3][3]; ///< the frame
     double zero;      ///< bounds are relative to this height
 
@@ -40,6 +43,7 @@ struct Bounds {
             if (k < 2 || tilted) away += d < 0 ? -d : d;
             size += index.half_size[k];
             at[k] = float(d);
+            if (k < 2) at_low[k] = float(d - double(at[k]));
             if constexpr (tilted)
                 for (int j = 0; j < 3; ++j)
                     turn[k][j] = float(query.frame[k][j]);
@@ -56,7 +60,39 @@ struct Bounds {
         uncertain = float(4 * (1 + steep));
     }
 
-    static constexpr bool ball = shape == SurfaceShape::ball, flat = shape == SurfaceShape::flat;
+    /// How much boxes and their bounds may be wrong.
+    template <class F>
+    struct Doubt {
+        F slack, margin; ///< positions, bounds by less than this
+        FACETMILL_MEMBER F of_bound(const F&, const F&, const F&, const F&) const { return margin; }
+    };
+    template <class F>
+    FACETMILL_MEMBER Doubt<F> doubt() const {
+        return {all_of<F>(slack), all_of<F>(margin)};
+    }
+    /// The same of boxes whose positions are taken from `at` and then `at_low`, vertical axis: those that
+    /// matter are as near as the cutter's radius and their size, and so exactly known are they.
+    struct NearDoubt {
+        Float8 slack, margin, per_slope;
+        /// For a roof of slopes (px, py) and a tangent plane of (sx, sy).
+        FACETMILL_MEMBER Float8 of_bound(const Float8& px, const Float8& py, const Float8& sx,
+                                         const Float8& sy) const {
+            if constexpr (!ball) return margin;
+            return margin + per_slope * (magnitude(px) + magnitude(py) + magnitude(sx) + magnitude(sy));
+        }
+    };
+    FACETMILL_MEMBER NearDoubt near_doubt(const Float8& hx, const Float8& hy) const {
+        constexpr auto share = float(tolerance::float_slack),
+                       steep = float(tolerance::steepest_roof + tolerance::steepest_tangent);
+        const auto r = float(surface.max_radius), z = float(index.half_size[2]);
+        const Float8 size = hx + hy, near = 2 * share * (r + size);
+        if constexpr (ball) {
+            const float arc = surface.rough[0].r;
+            return {near, all(2 * share * (z + arc)), near + 2 * share * arc};
+        }
+        return {near, share * (2 * z + (1 + 5 * steep) * r) + share * (1 + steep) * size, all(0.0f)};
+    }
+
     FACETMILL_MEMBER int pieces() const { return ball || flat ? 1 : surface.count; }
     FACETMILL_MEMBER static bool is_arc(const RoughPiece& p) { return ball || (!flat && p.r != 0); }
 
@@ -233,23 +269,33 @@ struct Bounds {
             return larger(by * lo, by * hi) + larger(to * lo_along, to * hi_along);
         }
     };
+    /// Gives a tangent plane, where wanted, this slope along the strip: then what is long there is level to
+    /// it.
+    template <class F, class Mask>
+    FACETMILL_MEMBER void turn_along(const Strips<F>& strips, const Mask& wanted, const F& slope, F& level,
+                                     F& sx, F& sy) const {
+        const F by = select(wanted, slope - strips.along(sx, sy), 0.0f);
+        sx = sx - by * strips.y;
+        sy = sy + by * strips.x;
+        level = support(root(sx * sx + sy * sy));
+    }
     /// Those of a node's children, for a place from which they are (ax, ay) away.
-    FACETMILL_MEMBER Strips<Float8> strips_of(const TreeNode& node, const Float8& ax,
-                                              const Float8& ay) const {
+    FACETMILL_MEMBER Strips<Float8> strips_of(const TreeNode& node, const Float8& ax, const Float8& ay,
+                                              const Float8& doubt) const {
         const Float8 x = load(node.across_x), y = load(node.across_y), middle = x * ax + y * ay;
-        return {x, y, middle + load(node.strip_lo) - 2 * slack, middle + load(node.strip_hi) + 2 * slack};
+        return {x, y, middle + load(node.strip_lo) - 2 * doubt, middle + load(node.strip_hi) + 2 * doubt};
     }
 
     /// Bounds of the lifts over eight boxes in the cutter's frame: middle, half size, top, and a roof that
     /// has height `roof` over (rx, ry); with strips only over what lies in those. -inf where the cutter does
     /// not reach.
-    template <class F>
+    template <class F, class AnyDoubt>
     FACETMILL_MEMBER F bounds(const F& cx, const F& cy, const F& hx, const F& hy, const F& top, const F& rx,
-                              const F& ry, const F& roof, const F& px, const F& py,
+                              const F& ry, const F& roof, const F& px, const F& py, const AnyDoubt& doubt,
                               const Strips<F>* strips = nullptr) const {
-        const F reach = all_of<F>(radius);
-        const F lo_x = larger(cx - hx - slack, -reach), hi_x = smaller(cx + hx + slack, reach);
-        const F lo_y = larger(cy - hy - slack, -reach), hi_y = smaller(cy + hy + slack, reach);
+        const F reach = all_of<F>(radius), wide_x = hx + doubt.slack, wide_y = hy + doubt.slack;
+        const F lo_x = larger(cx - wide_x, -reach), hi_x = smaller(cx + wide_x, reach);
+        const F lo_y = larger(cy - wide_y, -reach), hi_y = smaller(cy + wide_y, reach);
         const F near_x = larger(larger(lo_x, -hi_x), 0.0f), near_y = larger(larger(lo_y, -hi_y), 0.0f);
         auto reached = (lo_x <= hi_x) & (lo_y <= hi_y) & (near_x * near_x + near_y * near_y <= reach * reach);
         if (strips) reached = reached & (strips->lo <= reach) & (strips->hi >= -reach);
@@ -258,16 +304,19 @@ struct Bounds {
         const F per = rough_inverse_root(1.0f + px * px + py * py);
         F mx, my;
         touched(px * per, py * per, mx, my);
+        const auto within = (mx >= lo_x) & (mx <= hi_x) & (my >= lo_y) & (my <= hi_y);
         mx = smaller(larger(mx, lo_x), hi_x);
         my = smaller(larger(my, lo_y), hi_y);
         if (strips) strips->move_into(mx, my);
         F level, sx, sy;
         tangent_plane(mx, my, px, py, level, sx, sy);
+        if (strips) turn_along(*strips, within, strips->along(px, py), level, sx, sy);
         const F gx = px - sx, gy = py - sy;
         F most = larger(gx * lo_x, gx * hi_x) + larger(gy * lo_y, gy * hi_y);
         if (strips) most = smaller(most, strips->most(gx, gy, -reach, reach));
         const F over = roof - px * rx - py * ry - level + most;
-        return select(reached, smaller(over, top) + margin, all_of<F>(-__builtin_inff()));
+        return select(reached, smaller(over, top) + doubt.of_bound(px, py, sx, sy),
+                      all_of<F>(-__builtin_inff()));
     }
 
     /// g in single precision; rho within the radius.

@@ -60,17 +60,20 @@ struct Search : Bounds<tilted, shape> {
     }
 
     FACETMILL_MEMBER Float8 child_bounds(const TreeNode& node) const {
-        const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1], az = load(node.cz);
         const Float8 hx = load(node.hx), hy = load(node.hy), hz = load(node.hz);
         if constexpr (!tilted) { // unused lanes reach nowhere: hx < 0
+            const Float8 ax = load(node.cx) + at[0] + this->at_low[0],
+                         ay = load(node.cy) + at[1] + this->at_low[1], top = load(node.cz) + hz;
+            const auto doubt = this->near_doubt(hx, hy);
             if (index.has_strips) {
-                const auto strips = this->strips_of(node, ax, ay);
-                return bounds(ax, ay, hx, hy, az + hz, ax, ay, load(node.roof), load(node.slope_x),
-                              load(node.slope_y), &strips);
+                const auto strips = this->strips_of(node, ax, ay, doubt.slack);
+                return bounds(ax, ay, hx, hy, top, ax, ay, load(node.roof), load(node.slope_x),
+                              load(node.slope_y), doubt, &strips);
             }
-            return bounds(ax, ay, hx, hy, az + hz, ax, ay, load(node.roof), load(node.slope_x),
-                          load(node.slope_y));
+            return bounds(ax, ay, hx, hy, top, ax, ay, load(node.roof), load(node.slope_x),
+                          load(node.slope_y), doubt);
         } else {
+            const Float8 ax = load(node.cx) + at[0], ay = load(node.cy) + at[1], az = load(node.cz);
             const auto& m = turn;
             const auto size = [](float v) { return v < 0 ? -v : v; };
             const Float8 bz = az + at[2];
@@ -93,11 +96,14 @@ struct Search : Bounds<tilted, shape> {
             const Float8 sx = select(roofed, nx * down, zero8), sy = select(roofed, ny * down, zero8);
             const Float8 thick = select(nz < 0.0f, load(node.below), load(node.above));
             const Float8 top = cz + ez;
-            const Float8 b =
-                bounds(cx, cy, ex, ey, top, cx, cy, select(roofed, cz + thick * per, top), sx, sy);
+            const Float8 b = bounds(cx, cy, ex, ey, top, cx, cy, select(roofed, cz + thick * per, top), sx,
+                                    sy, this->template doubt<Float8>());
             return select(hx >= 0.0f, b, all(-__builtin_inff()));
         }
     }
+
+    /// Facets so many times as long as wide are needles.
+    static constexpr int worth_a_strip = 16;
 
     /// Bounds of the lifts over the facets of a block, from above and, by one of their points, from below.
     template <bool both>
@@ -124,7 +130,7 @@ struct Search : Bounds<tilted, shape> {
         const Float8 lo_y = smaller(smaller(py[0], py[1]), py[2]), hi_y = larger(larger(py[0], py[1]), py[2]);
         const Float8 near_x = larger(larger(lo_x, -hi_x), all(0.0f)),
                      near_y = larger(larger(lo_y, -hi_y), all(0.0f));
-        const Int8 reached = near_x * near_x + near_y * near_y <= radius * radius;
+        Int8 reached = near_x * near_x + near_y * near_y <= radius * radius;
         // The tangent plane where the facet's plane touches, if that is about inside.
         const Float8 ux = px[1] - px[0], uy = py[1] - py[0], uz = pz[1] - pz[0];
         const Float8 vx = px[2] - px[0], vy = py[2] - py[0], vz = pz[2] - pz[0];
@@ -138,16 +144,41 @@ struct Search : Bounds<tilted, shape> {
         constexpr auto inward =
             float(1 - 3 * tolerance::rim_share); // for the lower bound a little inside of the rim
         const Float8 ax = mx * inward, ay = my * inward;
-        mx = smaller(larger(mx, lo_x), hi_x);
-        my = smaller(larger(my, lo_y), hi_y);
-        Float8 level, sx, sy;
-        tangent_plane(mx, my, nx * up, ny * up, level, sx, sy);
+        Float8 level, sx, sy, on_longest;
+        if (!tilted && index.has_strips) { // edge 0 is the longest
+            const Float8 per_length = 1.0f / root(larger(ux * ux + uy * uy, all(__FLT_MIN__)));
+            typename Base::template Strips<Float8> strip{-uy * per_length, ux * per_length, {}, {}};
+            const Float8 a = strip.across(px[0], py[0]), b = strip.across(px[2], py[2]);
+            strip.lo = smaller(a, b);
+            strip.hi = larger(a, b);
+            strip.move_into(mx, my);
+            const Float8 c = strip.along(px[0], py[0]), d = strip.along(px[1], py[1]);
+            const Float8 from = smaller(c, d), to = larger(c, d), along = strip.along(mx, my);
+            const Float8 shift = smaller(larger(along, from), to) - along;
+            mx = mx - shift * strip.y;
+            my = my + shift * strip.x;
+            on_longest = smaller(larger((c - (along + shift)) * per_length, all(0.0f)), all(1.0f));
+            const Float8 aside = larger(larger(strip.lo, -strip.hi), all(0.0f)),
+                         ahead = larger(larger(from, -to), all(0.0f)), reach = all(radius + this->slack);
+            reached = reached & (aside * aside + ahead * ahead <= reach * reach);
+            tangent_plane(mx, my, nx * up, ny * up, level, sx, sy);
+            const Float8 slope = uz * per_length;
+            this->turn_along(strip, (shift == 0.0f) & (magnitude(slope) < float(tolerance::steepest_roof)),
+                             -slope, level, sx, sy);
+        } else {
+            mx = smaller(larger(mx, lo_x), hi_x);
+            my = smaller(larger(my, lo_y), hi_y);
+            tangent_plane(mx, my, nx * up, ny * up, level, sx, sy);
+        }
         Float8 most = pz[0] - sx * px[0] - sy * py[0];
         most = larger(most, pz[1] - sx * px[1] - sy * py[1]);
         most = larger(most, pz[2] - sx * px[2] - sy * py[2]);
         const Float8 size = larger(larger(hi_x, -lo_x), larger(hi_y, -lo_y));
         const Float8 highest_z = larger(larger(magnitude(pz[0]), magnitude(pz[1])), magnitude(pz[2]));
-        const Float8 noise = float(tolerance::float_slack) * (highest_z + uncertain * (size + radius));
+        constexpr auto share = float(tolerance::float_slack);
+        const float arc = this->ball ? surface.rough[0].r : 0,
+                    of_height = this->ball ? 4 * arc : uncertain * radius;
+        const Float8 turned_doubt = share * (highest_z + uncertain * (size + radius));
         if constexpr (both) {
             // The point of the facet with the same barycentric coordinates, those below 0 made 0.
             const auto weight = [&](int i, int j) __attribute__((always_inline)) {
@@ -155,18 +186,30 @@ struct Search : Bounds<tilted, shape> {
                 return larger(select(nz < 0.0f, -w, w), all(0.0f));
             };
             const Float8 w0 = weight(1, 2), w1 = weight(2, 0), w2 = weight(0, 1);
-            const Float8 share = 1.0f / (w0 + w1 + w2);
-            const Float8 qx = share * (w0 * px[0] + w1 * px[1] + w2 * px[2]);
-            const Float8 qy = share * (w0 * py[0] + w1 * py[1] + w2 * py[2]);
-            const Float8 qz = share * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
+            const Float8 per_sum = 1.0f / (w0 + w1 + w2);
+            Float8 qx = per_sum * (w0 * px[0] + w1 * px[1] + w2 * px[2]);
+            Float8 qy = per_sum * (w0 * py[0] + w1 * py[1] + w2 * py[2]);
+            Float8 qz = per_sum * (w0 * pz[0] + w1 * pz[1] + w2 * pz[2]);
+            if (!tilted && index.has_strips) { // or, on a needle, that of its longest edge
+                const Int8 slim = ux * ux + uy * uy > float(worth_a_strip) * magnitude(nz);
+                qx = select(slim, px[0] + on_longest * ux, qx);
+                qy = select(slim, py[0] + on_longest * uy, qy);
+                qz = select(slim, pz[0] + on_longest * uz, qz);
+            }
             const Float8 q_square = qx * qx + qy * qy;
             // Where the cutter's side is steep, its height at a rounded distance says nothing: stay inside.
             const Float8 q_rho = root(q_square) + float(tolerance::float_slack) * (size + radius);
+            const Float8 doubt = tilted ? turned_doubt : share * (2 * highest_z + of_height);
             below = select((q_rho < inner) & (q_square >= 0.0f),
-                           qz - (1 + float(tolerance::float_slack)) * rough_height(q_rho) - noise,
-                           all(-__builtin_inff()));
+                           qz - (1 + share) * rough_height(q_rho) - doubt, all(-__builtin_inff()));
         }
-        return select(reached, most - level + noise, all(-__builtin_inff()));
+        if constexpr (!tilted) { // corners are far from each other where they are far at all
+            const Float8 slopes = magnitude(sx) + magnitude(sy);
+            const Float8 of_cutter = this->ball ? 2 * arc * (1.0f + slopes) : all(uncertain * radius);
+            const Float8 doubt = share * (2 * highest_z + 2 * slopes * size + of_cutter);
+            return select(reached, most - level + doubt, all(-__builtin_inff()));
+        }
+        return select(reached, most - level + turned_doubt, all(-__builtin_inff()));
     }
 
     FACETMILL_MEMBER void gather(std::uint32_t which, int w) {
@@ -222,14 +265,15 @@ struct Search : Bounds<tilted, shape> {
     }
 
     /// The first block that is opened gives a lower bound too: it lets most of the tree be passed over.
+    /// Upright, where that is cheap, all of them do, which saves exact tests.
     template <bool first>
     FACETMILL_CALLED void open_block(std::uint32_t which) {
         const FacetBlock& block = index.blocks[which];
         if constexpr (!tilted)
             if (flat_bottom && top_of(block) <= best.tip) return;
         Float8 below;
-        const Float8 above = facet_bounds<first>(block, below);
-        if constexpr (first) {
+        const Float8 above = facet_bounds < first || !tilted > (block, below);
+        if constexpr (first || !tilted) {
             alignas(32) float bound[block_width];
             store(below, bound);
             for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
@@ -294,7 +338,9 @@ struct Search : Bounds<tilted, shape> {
         unsigned lanes = bits(bound > least);
         const unsigned leaf = leaves(node);
         if constexpr (!tilted) {
-            if ((lanes & leaf) != 0) lanes &= ~leaf | touchable(node);
+            // Around large parts slopes are of all kinds.
+            const bool small = node.hx[0] + node.hy[0] < radius;
+            if ((small ? lanes : lanes & leaf) != 0) lanes &= (small ? 0u : ~leaf) | touchable(node);
             if (flat_bottom)
                 for (unsigned open = lanes; open != 0; open &= open - 1) {
                     const int k = __builtin_ctz(open);
@@ -349,13 +395,15 @@ struct Search : Bounds<tilted, shape> {
             --blocks;
             const std::uint32_t block = block_child[blocks] & ~TreeNode::leaf;
             if (block_bound[blocks] > least && block != opened) open_block<true>(block);
+            if (!tilted) open_blocks();
             if (is_enough()) return;
         }
         while (nodes > 0) {
             --nodes;
             if (!(node_bound[nodes] > least)) continue;
             open_node(index.nodes[node_child[nodes]]);
-            if (blocks > max_blocks) {
+            // At once upright: what they say from below spares nodes.
+            if (blocks > (tilted ? max_blocks : 0)) {
                 open_blocks();
                 if (is_enough()) return;
             }

@@ -280,7 +280,8 @@ void AxialLift::each_of(std::span<const Vec2> points, const Progress& progress, 
                 make_cut(cut, view, radius, lo, hi);
             }
             AxialPacket packet;
-            const std::size_t count = near(left.first(std::min(cut_end - i, in_packet)), radius, lo, hi);
+            const std::size_t count =
+                view.mostly_needles ? 1 : near(left.first(std::min(cut_end - i, in_packet)), radius, lo, hi);
             if (count < fewest_in_packet) {
                 const AxialAnswer answer =
                     search(view, *surface_, left[0].at.x(), left[0].at.y(), hint, &cut);

@@ -123,7 +123,7 @@ private:
                  & (last_x >= lo_dx) & (first_y <= hi_dy) & (last_y >= lo_dy) & (top > min_of(least)));
         if (reached == 0) return;
         // Strips, and how far the places lie across and along them.
-        auto strips = this->strips_of(node, ax, ay);
+        auto strips = this->strips_of(node, ax, ay, all(slack));
         const auto spread = [&](const Float8& x, const Float8& y, bool high) __attribute__((always_inline)) {
             const Float8 x0 = x * lo_dx, x1 = x * hi_dx, y0 = y * lo_dy, y1 = y * hi_dy;
             return high ? larger(x0, x1) + larger(y0, y1) : smaller(x0, x1) + smaller(y0, y1);
@@ -198,7 +198,8 @@ private:
         };
         const PlaceFloats cx = node.cx[k] + at[0] - dx, cy = node.cy[k] + at[1] - dy;
         return bits(bounds(cx, cy, of(node.hx[k]), of(node.hy[k]), of(node.cz[k] + node.hz[k]), cx, cy,
-                           of(node.roof[k]), of(node.slope_x[k]), of(node.slope_y[k]))
+                           of(node.roof[k]), of(node.slope_x[k]), of(node.slope_y[k]),
+                           this->template doubt<PlaceFloats>())
                     > least);
     }
 

@@ -63,6 +63,7 @@ struct IndexView {
     double origin[3] = {0, 0, 0};
     double half_size[3] = {0, 0, 0}; ///< of the mesh's box about the origin
     bool has_strips = false;         ///< strips say more than boxes: there are needles that lie askew
+    bool mostly_needles = false;     ///< hardly anything else: places are best asked one by one
 };
 
 } // namespace facetmill

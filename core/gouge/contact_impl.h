@@ -13,7 +13,7 @@ struct ContactIndex::Impl {
     std::vector<FacetBlock> blocks;
     std::vector<TreeNode> nodes; ///< root first; empty for a mesh without facets
     std::array<double, 3> origin{}, half_size{};
-    bool has_strips = false;
+    bool has_strips = false, mostly_needles = false;
 
     IndexView view() const {
         IndexView v{blocks.data(), nodes.empty() ? nullptr : nodes.data()};
@@ -22,6 +22,7 @@ struct ContactIndex::Impl {
             v.half_size[k] = half_size[k];
         }
         v.has_strips = has_strips;
+        v.mostly_needles = mostly_needles;
         return v;
     }
 };

@@ -464,6 +464,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     const std::vector<SlopeRange> slopes = vertex_slopes(*mesh_, is_open, progress.part(0.4, 0.45));
     std::vector<Item> items = listed_facets(*mesh_, progress.part(0.45, 0.5));
     impl_->has_strips = items.size() > mesh_->facet_count();
+    impl_->mostly_needles = items.size() > 2 * mesh_->facet_count();
     Box3 box;
     for (std::size_t f = 0; f < mesh_->facet_count(); ++f)
         for (int k = 0; k < 3; ++k)

@@ -275,6 +275,31 @@ private slots:
         }
     }
 
+    /// Bounds over needles are as fine as these are thin: far from the origin, sloping along, some among
+    /// others.
+    void thin_needles() {
+        const auto askew = needles_askew(3000, 100);
+        Random rng(9);
+        for (const double slope : {0.0, 0.4, 2.5}) {
+            Mesh mesh = *askew;
+            for (Vec3& p : mesh.vertices)
+                p = Vec3(p.x() + 700, p.y() - 1200, p.z() + slope * (0.8 * p.x() + 0.6 * p.y()) - 300);
+            const auto index = std::make_shared<ContactIndex>(std::make_shared<const Mesh>(mesh), Progress());
+            for (const AptCutter& cutter :
+                 {AptCutter::ball(6, 20), AptCutter::flat(5, 20), random_cutter(rng, 5, 4)}) {
+                const AxialLift lift(index, CutterProfile(cutter));
+                const BruteCutter brute(cutter);
+                for (int i = 0; i < trials(12, 3); ++i) {
+                    const double x = 750 + uniform(rng, -60, 60), y = -1150 + uniform(rng, -60, 60);
+                    const double got = lift.tip_z(x, y), wanted = brute_lift(brute, mesh, x, y);
+                    QVERIFY2(
+                        got == wanted || std::abs(got - wanted) <= mesh_accuracy,
+                        qPrintable(QString("%1, %2: %3 for %4").arg(x).arg(y).arg(got - wanted).arg(slope)));
+                }
+            }
+        }
+    }
+
     /// Whichever of its edges says so, a corner that stands highest is what is touched.
     void a_highest_corner_is_a_vertex() {
         for (std::size_t highest = 0; highest < 3; ++highest) {
