@@ -319,18 +319,21 @@ struct Search : Bounds<tilted, shape> {
                     & (ay + hy >= on.lo_y));
     }
 
+    template <std::size_t size>
+    FACETMILL_MEMBER static void fetch_lines(const void* from) {
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < size; i += 64)
+            __builtin_prefetch(static_cast<const char*>(from) + i);
+    }
+
     /// Asks the memory for what will most likely be opened.
-    FACETMILL_MEMBER void fetch(const TreeNode& node, unsigned lanes, unsigned leaf) const {
-        constexpr std::size_t node_part = offsetof(TreeNode, normal_x), block_part = sizeof(FacetBlock);
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const int k = __builtin_ctz(lanes);
-            const bool is_block = (leaf >> k & 1) != 0;
-            const std::uint32_t child = node.child[k] & ~TreeNode::leaf;
-            const char* from = is_block ? reinterpret_cast<const char*>(index.blocks + child)
-                                        : reinterpret_cast<const char*>(index.nodes + child);
-            for (std::size_t i = 0; i < (is_block ? block_part : node_part); i += 64)
-                __builtin_prefetch(from + i);
-        }
+    FACETMILL_MEMBER void fetch(const TreeNode& node, unsigned nodes_wanted, unsigned blocks_wanted) const {
+        constexpr std::size_t node_part = tilted ? offsetof(TreeNode, highest) : offsetof(TreeNode, normal_x);
+        for (; nodes_wanted != 0; nodes_wanted &= nodes_wanted - 1)
+            fetch_lines<node_part>(index.nodes + node.child[__builtin_ctz(nodes_wanted)]);
+        for (; blocks_wanted != 0; blocks_wanted &= blocks_wanted - 1)
+            fetch_lines<sizeof(FacetBlock)>(index.blocks
+                                            + (node.child[__builtin_ctz(blocks_wanted)] & ~TreeNode::leaf));
     }
 
     FACETMILL_CALLED void open_node(const TreeNode& node) {
@@ -347,7 +350,7 @@ struct Search : Bounds<tilted, shape> {
                     if (node.highest[k] <= best.tip) lanes &= ~(1u << k);
                 }
         }
-        fetch(node, lanes, leaf);
+        fetch(node, lanes & ~leaf, lanes & leaf);
         nodes += keep(lanes & ~leaf, bound, node.child, node_bound + nodes, node_child + nodes);
         blocks += keep(lanes & leaf, bound, node.child, block_bound + blocks, block_child + blocks);
     }

@@ -49,9 +49,9 @@ struct alignas(64) TreeNode {
     float hx[block_width], hy[block_width], hz[block_width]; ///< half sizes
     float roof[block_width], slope_x[block_width], slope_y[block_width];
     std::uint32_t child[block_width];
+    float slope_lo_x[block_width], slope_hi_x[block_width], slope_lo_y[block_width], slope_hi_y[block_width];
     float normal_x[block_width], normal_y[block_width], normal_z[block_width];
     float above[block_width], below[block_width];
-    float slope_lo_x[block_width], slope_hi_x[block_width], slope_lo_y[block_width], slope_hi_y[block_width];
     double highest[block_width];
     float across_x[block_width], across_y[block_width], strip_lo[block_width], strip_hi[block_width];
 };

@@ -3,6 +3,7 @@
 
 #include "core/gouge/contact_blocks.h"
 #include "core/gouge/contact_index.h"
+#include "core/gouge/large_pages.h"
 
 #include <array>
 #include <vector>
@@ -10,8 +11,8 @@
 namespace facetmill {
 
 struct ContactIndex::Impl {
-    std::vector<FacetBlock> blocks;
-    std::vector<TreeNode> nodes; ///< root first; empty for a mesh without facets
+    std::vector<FacetBlock, LargePages<FacetBlock>> blocks;
+    std::vector<TreeNode, LargePages<TreeNode>> nodes; ///< root first; empty for a mesh without facets
     std::array<double, 3> origin{}, half_size{};
     bool has_strips = false, mostly_needles = false;
 
