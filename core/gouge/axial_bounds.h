@@ -279,6 +279,36 @@ struct Bounds {
         sy = sy + by * strips.x;
         level = support(root(sx * sx + sy * sy));
     }
+    /// Moves points into the strips along the first edges, the longest, of facets with these corners, and
+    /// abreast of these edges. Where that is, as a share of the edge; returns what the cutter may reach.
+    FACETMILL_MEMBER Int8 move_into_strip(const Float8 (&px)[3], const Float8 (&py)[3], Float8& mx,
+                                          Float8& my, Float8& on_longest) const {
+        const Float8 ux = px[1] - px[0], uy = py[1] - py[0], zero8 = all(0.0f);
+        const Float8 per_length = 1.0f / root(larger(ux * ux + uy * uy, all(__FLT_MIN__)));
+        Strips<Float8> strip{-uy * per_length, ux * per_length, {}, {}};
+        const Float8 a = strip.across(px[0], py[0]), b = strip.across(px[2], py[2]);
+        strip.lo = smaller(a, b);
+        strip.hi = larger(a, b);
+        strip.move_into(mx, my);
+        const Float8 c = strip.along(px[0], py[0]), d = strip.along(px[1], py[1]);
+        const Float8 from = smaller(c, d), to = larger(c, d), at_first = strip.along(mx, my);
+        const Float8 at_last = smaller(larger(at_first, from), to);
+        mx = mx - (at_last - at_first) * strip.y;
+        my = my + (at_last - at_first) * strip.x;
+        on_longest = smaller(larger((c - at_last) * per_length, zero8), all(1.0f));
+        const Float8 aside = larger(larger(strip.lo, -strip.hi), zero8),
+                     ahead = larger(larger(from, -to), zero8), reach = all(radius + slack);
+        return aside * aside + ahead * ahead <= reach * reach;
+    }
+    /// turn_along for facets whose longest edges are these.
+    FACETMILL_MEMBER void turn_along_needle(const Float8& ux, const Float8& uy, const Float8& uz,
+                                            const Int8& wanted, Float8& level, Float8& sx, Float8& sy) const {
+        const Float8 per_length = 1.0f / root(larger(ux * ux + uy * uy, all(__FLT_MIN__)));
+        const Strips<Float8> strip{-uy * per_length, ux * per_length, {}, {}};
+        const Float8 slope = -uz * per_length;
+        const Int8 known = magnitude(slope) < float(tolerance::steepest_roof);
+        turn_along(strip, wanted & known, slope, level, sx, sy);
+    }
     /// Those of a node's children, for a place from which they are (ax, ay) away.
     FACETMILL_MEMBER Strips<Float8> strips_of(const TreeNode& node, const Float8& ax, const Float8& ay,
                                               const Float8& doubt) const {

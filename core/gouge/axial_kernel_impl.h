@@ -146,25 +146,9 @@ struct Search : Bounds<tilted, shape> {
         const Float8 ax = mx * inward, ay = my * inward;
         Float8 level, sx, sy, on_longest;
         if (!tilted && index.has_strips) { // edge 0 is the longest
-            const Float8 per_length = 1.0f / root(larger(ux * ux + uy * uy, all(__FLT_MIN__)));
-            typename Base::template Strips<Float8> strip{-uy * per_length, ux * per_length, {}, {}};
-            const Float8 a = strip.across(px[0], py[0]), b = strip.across(px[2], py[2]);
-            strip.lo = smaller(a, b);
-            strip.hi = larger(a, b);
-            strip.move_into(mx, my);
-            const Float8 c = strip.along(px[0], py[0]), d = strip.along(px[1], py[1]);
-            const Float8 from = smaller(c, d), to = larger(c, d), along = strip.along(mx, my);
-            const Float8 shift = smaller(larger(along, from), to) - along;
-            mx = mx - shift * strip.y;
-            my = my + shift * strip.x;
-            on_longest = smaller(larger((c - (along + shift)) * per_length, all(0.0f)), all(1.0f));
-            const Float8 aside = larger(larger(strip.lo, -strip.hi), all(0.0f)),
-                         ahead = larger(larger(from, -to), all(0.0f)), reach = all(radius + this->slack);
-            reached = reached & (aside * aside + ahead * ahead <= reach * reach);
+            reached = reached & this->move_into_strip(px, py, mx, my, on_longest);
             tangent_plane(mx, my, nx * up, ny * up, level, sx, sy);
-            const Float8 slope = uz * per_length;
-            this->turn_along(strip, (shift == 0.0f) & (magnitude(slope) < float(tolerance::steepest_roof)),
-                             -slope, level, sx, sy);
+            this->turn_along_needle(ux, uy, uz, (on_longest > 0.0f) & (on_longest < 1.0f), level, sx, sy);
         } else {
             mx = smaller(larger(mx, lo_x), hi_x);
             my = smaller(larger(my, lo_y), hi_y);
