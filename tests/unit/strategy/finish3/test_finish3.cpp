@@ -377,6 +377,43 @@ private slots:
                 && chosen.direction_reason.find("; y: ") != std::string::npos);
     }
 
+    /// A deep groove hardly wider than ball and shank: across it no piece of a pass is long enough to be
+    /// kept, along it passes are. The planes by which a direction is chosen first miss it, and neither
+    /// direction travels much less than the other.
+    void auto_counts_what_shank_and_holder_keep_passes_from() {
+        const auto part = [](double x, double y) {
+            const double off = std::abs(x), radius = 3.2;
+            return off > radius + 0.05 || y < 3 || y > 17
+                       ? 12.0
+                       : -std::sqrt(std::max(0.0, radius * radius - off * off));
+        };
+        Mesh mesh = height_field(part, Vec2(-8, -70), Vec2(8, 70), 160, 70);
+        for (Vec3& v : mesh.vertices) // fine at the groove alone
+            if (const double beside = std::abs(v.x()) - 4; beside > 0)
+                v.x() = std::copysign(4 + 9 * beside, v.x());
+        Tool tool = ball_tool(6);
+        tool.flute_length = 4;
+        tool.shank_diameter = 6.06;
+        tool.shank_length = 30;
+        Finish3Settings s;
+        const auto in_groove = [](const StrategyResult& r) {
+            double sum = 0;
+            for (const Pass& p : r.passes)
+                for (std::size_t i = 1; i < p.cl.size(); ++i)
+                    if (std::max(p.cl[i].tip.z(), p.cl[i - 1].tip.z()) < 0)
+                        sum += (p.cl[i].tip - p.cl[i - 1].tip).norm();
+            return sum;
+        };
+        const StrategyResult chosen = planned(mesh, s, tool);
+        QVERIFY2(chosen.direction > 1 && in_groove(chosen) > 10, chosen.direction_reason.c_str());
+        QVERIFY(chosen.direction_reason.starts_with("x: "));
+        s.direction = {0, "x"};
+        QCOMPARE(in_groove(planned(mesh, s, tool)), 0.0);
+        // With a shank that goes in everywhere there is no reason to turn.
+        s.direction = {0, "auto"};
+        QCOMPARE(planned(mesh, s, ball_tool(6)).direction, 0.0);
+    }
+
     /// A stock smaller than the part: nothing is passed where there is none, or the part stands above it.
     void what_passes_the_stock_by_is_left_out() {
         PlanContext context = context_of(level(), ball_tool(6));
