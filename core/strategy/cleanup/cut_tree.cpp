@@ -2,6 +2,7 @@
 
 #include "core/base/golden_section.h"
 
+#include <limits>
 #include <numeric>
 
 namespace facetmill {
@@ -10,7 +11,9 @@ namespace {
 
 /// Beside a wall motions of all layers are about as near: boxes may be so many times as high as wide.
 constexpr double height_share = 0.1;
-constexpr std::uint32_t leaf_motions = 8, motions_per_check = 1024;
+constexpr std::uint32_t motions_per_check = 1024;
+/// Single precision is off by less than so many of its roundings, of the lengths that are computed with.
+constexpr double leaf_roundings = 100;
 
 } // namespace
 
@@ -31,7 +34,10 @@ std::uint32_t CutTree::build(std::uint32_t begin, std::uint32_t end, const Progr
             node.hi = node.hi.cwiseMax(tip);
         }
     nodes_.push_back(node);
-    if (end - begin <= leaf_motions) return number;
+    if (end - begin <= leaf_motions) {
+        if (cover_.rounded_disc() && cover_.rounded_disc()->disc == 0) make_leaf(nodes_.back());
+        return number;
+    }
     int axis = 0;
     Vec3 size = node.hi - node.lo;
     size.z() *= height_share;
@@ -47,6 +53,42 @@ std::uint32_t CutTree::build(std::uint32_t begin, std::uint32_t end, const Progr
     const std::uint32_t further = build(middle, end, progress);
     nodes_[number].further = further;
     return number;
+}
+
+void CutTree::make_leaf(Node& node) {
+    node.leaf = std::uint32_t(leaves_.size());
+    Leaf& leaf = leaves_.emplace_back();
+    for (std::uint32_t k = 0; k < leaf_motions; ++k) {
+        // The last stands for those that lack.
+        const auto& [a, b] = motions_[order_[std::min(node.begin + k, node.end - 1)]];
+        const Vec3 from = a - node.lo, route = b - a;
+        for (std::size_t x = 0; x < 3; ++x) {
+            leaf.from[x][k] = float(from[Eigen::Index(x)]);
+            leaf.route[x][k] = float(route[Eigen::Index(x)]);
+        }
+        const double level = route.head<2>().squaredNorm(), space = route.squaredNorm();
+        leaf.level[k] = level > 0 ? float(1 / level) : 0.0F;
+        leaf.space[k] = space > 0 ? float(1 / space) : 0.0F;
+        leaf.lower[k] = route.z() > 0 ? 0.0F : 1.0F;
+    }
+}
+
+/// As `distance` has it. Above the lower end nothing comes nearer than level with the place: there the
+/// clamped share is that at which it comes nearest seen from above.
+std::pair<CutTree::Lanes, double> CutTree::leaf_squares(const Vec3& p, const Node& node) const {
+    const Leaf& leaf = leaves_[node.leaf];
+    const auto rounding = float(cover_.rounded_disc()->rounding);
+    const Vec3 rel = p - node.lo;
+    const Lanes x = float(rel.x()) - leaf.from[0], y = float(rel.y()) - leaf.from[1],
+                z = float(rel.z()) - rounding - leaf.from[2];
+    const Lanes along = x * leaf.route[0] + y * leaf.route[1];
+    const Lanes level = (along * leaf.level).max(0.0F).min(1.0F);
+    const Lanes t =
+        ((along + z * leaf.route[2]) * leaf.space).max(level.min(leaf.lower)).min(level.max(leaf.lower));
+    const Lanes below = (t * leaf.route[2] - z).max(0.0F);
+    const double size = (node.hi - node.lo).cwiseAbs().sum() + rel.cwiseAbs().sum() + double(rounding);
+    return {(x - t * leaf.route[0]).square() + (y - t * leaf.route[1]).square() + below.square(),
+            leaf_roundings * double(std::numeric_limits<float>::epsilon()) * size};
 }
 
 double CutTree::distance(const Vec3& p, std::size_t motion) const {

@@ -126,6 +126,10 @@ private slots:
                     least = std::min(least, by_this);
                     near += by_this < 2.5;
                 }
+                double by_any = infinity;
+                for (std::size_t m = 0; m < motions.size(); ++m)
+                    by_any = std::min(by_any, tree.distance(p, m));
+                QCOMPARE(tree.nearest(p, 0), by_any);
                 // A place of the motion is within half a step of one that was asked.
                 QVERIFY(std::abs(tree.nearest(p, 0) - least) <= 0.03);
                 QVERIFY(tree.nearest(p, 1) <= std::max(1.0, least + accuracy));
