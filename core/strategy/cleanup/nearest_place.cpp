@@ -36,23 +36,41 @@ double nearer_below(const CutterCover& cover, const Vec3& p, const Vec3& at, dou
     return p.z() - rounding + std::sqrt(within * within - beside * beside);
 }
 
+/// The tip of a cutter that touches a plane, with nothing else about.
+Vec3 tip_touching(const CutterCover& cover, const Vec3& p, const Vec3& n) {
+    if (n.z() > tolerance::vertical_normal_z) return p + cover.tip_offset(n);
+    // Along an upright wall, a hair beside it: it would be passed over else.
+    const double out = cover.radius() * (1 + tolerance::rim_share) / std::hypot(n.x(), n.y());
+    return p + Vec3(out * n.x(), out * n.y(), -cover.shoulder());
+}
+
+void held_up(RestSample& s, const CutterCover& cover, double height) {
+    s.tip.z() = std::max(s.tip.z(), height);
+    s.gap = cover.distance(s.point - s.tip);
+}
+
 } // namespace
 
 RestSample nearest_touch(const ValleyInput& input, const Vec3& p, const Vec3& n, LiftHint& hint) {
     RestSample s;
     s.point = p;
     s.normal = n;
-    const CutterCover& cover = *input.cover;
-    if (n.z() > tolerance::vertical_normal_z) {
-        s.tip = p + cover.tip_offset(n);
-    } else {
-        // Along an upright wall, a hair beside it: it would be passed over else.
-        const double out = cover.radius() * (1 + tolerance::rim_share) / std::hypot(n.x(), n.y());
-        s.tip = p + Vec3(out * n.x(), out * n.y(), -cover.shoulder());
-    }
-    s.tip.z() = std::max(s.tip.z(), input.lift->tip_z(s.tip.x(), s.tip.y(), hint));
-    s.gap = cover.distance(p - s.tip);
+    s.tip = tip_touching(*input.cover, p, n);
+    held_up(s, *input.cover, input.lift->tip_z(s.tip.x(), s.tip.y(), hint));
     return s;
+}
+
+void nearest_touches(const ValleyInput& input, std::span<RestSample> samples, const Progress& progress) {
+    std::vector<Vec2> at;
+    at.reserve(samples.size());
+    for (RestSample& s : samples) {
+        s.tip = tip_touching(*input.cover, s.point, s.normal);
+        at.emplace_back(s.tip.x(), s.tip.y());
+    }
+    std::vector<double> heights(at.size());
+    input.lift->tip_z(at, heights, progress);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        held_up(samples[i], *input.cover, heights[i]);
 }
 
 RestSample nearest_about(const ValleyInput& input, RestSample from, double enough, double finest,

@@ -63,10 +63,16 @@ public:
         RestGaps result{std::vector<double>(rest_.points.size(), 0),
                         std::vector<int>(rest_.points.size(), -1)};
         const auto& used = around.used();
-        parallel_blocks(used.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
+        parallel_blocks(used.size(), 256, progress, [&](std::size_t begin, std::size_t end) {
+            std::vector<RestSample> first(end - begin);
+            for (std::size_t s = begin; s < end; ++s) {
+                first[s - begin].point = rest_.points[used[s]];
+                first[s - begin].normal = normal_of(around.of(used[s]).front());
+            }
+            nearest_touches(in_, first, progress.part(0, 0));
             Near near;
             for (std::size_t s = begin; s < end; ++s)
-                measure(used[s], around.of(used[s]), result, near);
+                measure(used[s], around.of(used[s]), first[s - begin], result, near);
         });
         return result;
     }
@@ -84,9 +90,13 @@ private:
         Standing::Hint cut;
     };
 
-    void measure(Index v, std::span<const Index> facets, RestGaps& result, Near& near) const {
+    Vec3 normal_of(Index facet) const { return in_.side->towards_tool(in_.mesh->facet_normal(facet)); }
+
+    /// Given the cutter that touches at the first facet.
+    void measure(Index v, std::span<const Index> facets, const RestSample& first, RestGaps& result,
+                 Near& near) const {
         const Vec3& p = rest_.points[v];
-        RestSample nearest = nearest_by_normals(p, facets, near.lift);
+        RestSample nearest = nearest_by_normals(first, facets.subspan(1), near.lift);
         if (nearest.gap > in_.tolerance) {
             std::vector<ByCurve> by_curve;
             const double least = min_by_tips(p, by_curve);
@@ -109,21 +119,20 @@ private:
     double raw_over(const Vec3& p, std::span<const Index> facets) const {
         double most = 0;
         for (const Index f : facets)
-            most =
-                std::max(most, in_.standing->raw_over(p, in_.side->towards_tool(in_.mesh->facet_normal(f))));
+            most = std::max(most, in_.standing->raw_over(p, normal_of(f)));
         return most;
     }
 
-    RestSample nearest_by_normals(const Vec3& p, std::span<const Index> facets, LiftHint& hint) const {
-        RestSample nearest;
-        nearest.gap = infinity;
-        Vec3 last = Vec3::Zero();
-        for (const Index f : facets) {
+    RestSample nearest_by_normals(const RestSample& first, std::span<const Index> further,
+                                  LiftHint& hint) const {
+        RestSample nearest = first;
+        Vec3 last = first.normal;
+        for (const Index f : further) {
             if (!(nearest.gap > in_.tolerance)) break;
-            const Vec3 n = in_.side->towards_tool(in_.mesh->facet_normal(f));
+            const Vec3 n = normal_of(f);
             if (n.dot(last) > same_gap_normal) continue;
             last = n;
-            const RestSample by = nearest_touch(in_, p, n, hint);
+            const RestSample by = nearest_touch(in_, first.point, n, hint);
             if (by.gap < nearest.gap) nearest = by;
         }
         return nearest;

@@ -131,8 +131,7 @@ private:
         return in_a * double(left[0]) + in_b * double(left[1]) + (1 - in_a - in_b) * double(left[2]);
     }
 
-    /// A place on which more is left than may be, if it is one, with where the cutter stands over it. How
-    /// much is left takes longer to know.
+    /// A place on which more is left than may be, if it is one. How much is left takes longer to know.
     std::optional<Left> left_at(const Place& at, Near& near) const {
         Left l;
         const Vec3 n = normal(triangle(at)), p = at.point + with_.allowance * n;
@@ -140,9 +139,26 @@ private:
         l.before = before(at);
         if (with_.standing && !with_.standing->stands(p, l.before, with_.standing->enough(), near.cut))
             return std::nullopt;
-        l.sample = nearest_touch(in_, p, n, near.lift);
+        l.sample.point = p;
+        l.sample.normal = n;
         l.band = at.band;
         return l;
+    }
+
+    /// The same for some, with where the cutter stands over them.
+    std::vector<Left> left_at(std::span<const Place> places, const Progress& progress) const {
+        std::vector<Left> found;
+        std::vector<RestSample> samples;
+        Near near;
+        for (const Place& at : places)
+            if (const auto l = left_at(at, near)) {
+                found.push_back(*l);
+                samples.push_back(l->sample);
+            }
+        nearest_touches(in_, samples, progress);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            found[i].sample = samples[i];
+        return found;
     }
 
     /// How much is left there, and the least that the cutter can leave. Is that worth it?
@@ -181,16 +197,17 @@ private:
     }
 
     void look_at(const std::vector<Place>& places, CellSet& deep, const Progress& progress) {
-        std::vector<std::optional<Left>> some(places.size());
-        parallel_blocks(places.size(), 256, progress.part(0, 0.6), [&](std::size_t from, std::size_t to) {
-            Near near;
-            for (std::size_t i = from; i < to; ++i)
-                some[i] = left_at(places[i], near);
-        });
+        constexpr std::size_t in_block = 256;
+        std::vector<std::vector<Left>> some((places.size() + in_block - 1) / in_block);
+        parallel_blocks(places.size(), in_block, progress.part(0, 0.6),
+                        [&](std::size_t from, std::size_t to) {
+                            some[from / in_block] =
+                                left_at(std::span(places).subspan(from, to - from), progress.part(0, 0));
+                        });
         std::vector<Left> found;
-        for (const auto& l : some)
-            if (l && !(l->sample.gap > 0.5 * allowed_ && !deep.add_first(l->sample.point)))
-                found.push_back(*l);
+        for (const auto& block : some)
+            for (const Left& l : block)
+                if (!(l.sample.gap > 0.5 * allowed_ && !deep.add_first(l.sample.point))) found.push_back(l);
         std::vector<char> which(found.size(), 0);
         parallel_blocks(found.size(), 16, progress.part(0.6, 1), [&](std::size_t from, std::size_t to) {
             Near near;
