@@ -147,14 +147,18 @@ private:
         if (!(area > needle_share * longest_square(t))) return;
         const Vec3 n = job_.side.towards_tool(cross.normalized());
         const Vec3 p = (a + b + c) / 3 + job_.allowance * n;
-        const double limit = nearest_touch(reach_of_, p, n, near.lift).gap;
         double rest = rest_over(p, before, near);
+        sum.area += area;
+        // Where it is good enough the cutter has been; else what it must leave matters no more where less
+        // stays than elsewhere.
+        if (rest <= good_enough * cusp) sum.reached = std::max(sum.reached, rest);
+        if (rest <= std::min(cusp, sum.reached)) return;
+        const double limit = nearest_touch(reach_of_, p, n, near.lift).gap;
         const double missed_from = limit + (1 + tolerance::uncut_margin) * cusp;
         // What operations before left of thick material is not known yet, and matters seldom.
         if (rest < infinity && rest > cusp
             && (rest > missed_from || rest > (limit > cusp ? sum.hollow : sum.reached)))
             rest = job_.standing.uncut(p, rest, infinity, near.cut);
-        sum.area += area;
         if (limit > cusp && rest < infinity && rest > std::max(sum.hollow, cusp)) {
             sum.hollow = rest;
             sum.hollow_at = p;
