@@ -205,26 +205,36 @@ private:
     std::vector<std::vector<std::uint32_t>> cutting_; ///< motions, by places
 };
 
-/// The stretch of a pass from one length along it to another.
-Pass stretch_of(const Pass& pass, const std::vector<double>& arc, const Interval& range) {
+/// The stretch of a pass from one length along it to another, longer where the cutter stands free only at the
+/// next of its points.
+Pass stretch_of(const AxialLift& lift, const Pass& pass, const std::vector<double>& arc,
+                const Interval& range) {
     Pass part = pass;
     part.cl.clear();
     part.cc.clear();
-    const auto add_end = [&](double at) {
+    const auto add_end = [&](double at, bool last) {
         const auto i = std::clamp<std::size_t>(
             std::size_t(std::lower_bound(arc.begin(), arc.end(), at) - arc.begin()), 1, arc.size() - 1);
         const double t =
             arc[i] > arc[i - 1] ? std::clamp((at - arc[i - 1]) / (arc[i] - arc[i - 1]), 0.0, 1.0) : 1;
-        part.cl.push_back({pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip), pass.cl[i].axis});
+        const Vec3 tip = pass.cl[i - 1].tip + t * (pass.cl[i].tip - pass.cl[i - 1].tip);
+        LiftHint none;
+        const std::size_t next = last ? i : i - 1;
+        if (lift.is_above(tip.x(), tip.y(), tip.z(), none)) {
+            part.cl.push_back(pass.cl[next]);
+            part.cc.push_back(pass.cc[next]);
+            return;
+        }
+        part.cl.push_back({tip, pass.cl[i].axis});
         part.cc.push_back(pass.cc[t < 0.5 ? i - 1 : i]);
     };
-    add_end(range.lo);
+    add_end(range.lo, false);
     for (std::size_t i = 0; i < arc.size(); ++i)
         if (arc[i] > range.lo && arc[i] < range.hi) {
             part.cl.push_back(pass.cl[i]);
             part.cc.push_back(pass.cc[i]);
         }
-    add_end(range.hi);
+    add_end(range.hi, true);
     return part;
 }
 
@@ -242,7 +252,8 @@ std::vector<Pass> busy_stretches(const StripCutting& with, Pass pass, const std:
     std::vector<Pass> kept;
     for (const Interval& range : joined(std::move(busy), bridged_radii * with.cover->radius())) {
         if (range.lo <= 0 && range.hi >= arc.back()) return {std::move(pass)};
-        kept.push_back(stretch_of(pass, arc, {std::max(range.lo, 0.0), std::min(range.hi, arc.back())}));
+        kept.push_back(
+            stretch_of(*with.lift, pass, arc, {std::max(range.lo, 0.0), std::min(range.hi, arc.back())}));
     }
     return kept;
 }
