@@ -1,6 +1,5 @@
 #include "core/strategy/cleanup/valley_spots.h"
 
-#include "core/base/golden_section.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/cleanup/border_touch.h"
 #include "core/strategy/cleanup/curve_lifts.h"
@@ -16,6 +15,10 @@ constexpr double max_raise = 1.5, max_raise_z = 4;
 constexpr double max_sink = 0.25, max_sink_beyond = 1.5;
 /// The first pass is looked for so far beside the centre, and to this accuracy, in radii.
 constexpr double aside_share = 0.3, aside_accuracy = 7e-4;
+/// By planes it ends, too, where no more than this share of the accuracy can be gained; so many steps are
+/// taken without halving, and none nearer than this share of what is left to its ends.
+constexpr double value_share = 0.1, min_shrink = 0.02;
+constexpr int plane_steps = 3;
 /// The end of a pass is found to this many halvings of a step.
 constexpr int end_halvings = 8;
 /// A flank whose normal meets the fitted vector at no more than this cosine does not hold the cutter up.
@@ -105,12 +108,61 @@ bool ValleySpots::place_along_z(const PencilPoint& p, const Vec3& left, double o
     return true;
 }
 
+/// The lift beside a centre, and how it rises to the left: what is touched there is a plane for the cutter's
+/// next step.
+struct ValleySpots::Sloping {
+    double at, lift, slope;
+};
+std::optional<ValleySpots::Sloping> ValleySpots::sloping(const Place& of, const Vec3& from, const Vec3& left,
+                                                         double at) const {
+    const Vec3 tip = from + at * left;
+    const VectorContact c = of.lift->contact({tip, Vec3::UnitZ(), of.point.up});
+    if (!(c.lift > -infinity)) return std::nullopt;
+    const auto normal = with_.cover->contact_normal(c.point - tip - c.lift * of.point.up);
+    if (!normal || !(normal->dot(of.point.up) > spot_facing)) return std::nullopt;
+    return Sloping{at, c.lift, -normal->dot(left) / normal->dot(of.point.up)};
+}
+
+/// The low place where both flanks are touched is where the planes that are touched beside it meet: mostly
+/// the first guess is right. Nothing where a slope is not known.
+std::optional<LowPlace> ValleySpots::lowest_by_slopes(const Place& of, const Vec3& from,
+                                                      const Vec3& left) const {
+    const double aside = aside_share * radius_, accuracy = aside_accuracy * radius_;
+    const auto middle = sloping(of, from, left, 0);
+    if (!middle) return std::nullopt;
+    if (middle->slope == 0) return LowPlace{0, middle->lift};
+    const bool to_left = middle->slope < 0;
+    const auto end = sloping(of, from, left, to_left ? aside : -aside);
+    if (!end) return std::nullopt;
+    // As on a rim that the cutter rolls over.
+    if (end->slope == 0 || (end->slope > 0) != to_left) return LowPlace{0, middle->lift};
+    Sloping falls = to_left ? *middle : *end, rises = to_left ? *end : *middle;
+    for (int step = 0; rises.at - falls.at > accuracy; ++step) {
+        const double width = rises.at - falls.at,
+                     ahead = (falls.lift - rises.lift + rises.slope * width) / (rises.slope - falls.slope),
+                     low = falls.lift + falls.slope * ahead;
+        const bool meets = ahead >= 0 && ahead <= width;
+        if (meets && std::min(falls.lift, rises.lift) - low < value_share * accuracy) break;
+        // On rough flanks planes say little: then what is left is halved, too.
+        const double share = step >= plane_steps && step % 2 == 0
+                                 ? 0.5
+                                 : std::clamp(ahead / width, min_shrink, 1 - min_shrink);
+        const auto next = sloping(of, from, left, falls.at + share * width);
+        if (!next) return std::nullopt;
+        (next->slope < 0 ? falls : rises) = *next;
+    }
+    const Sloping& best = falls.lift < rises.lift ? falls : rises;
+    if (!(best.lift < middle->lift)) return LowPlace{0, middle->lift};
+    return LowPlace{best.at, best.lift};
+}
+
 /// How far to the left the cutter comes lowest against the fitted vector: there it touches both flanks,
 /// though noise has moved the centre. The lift has one low place, as the valley has. In a corner it is looked
 /// for along the curve, too: there it touches all three flanks.
 Vec3 ValleySpots::lowest(const Place& of, const Vec3& tip, const Vec3& left) const {
     const double aside = aside_share * radius_, accuracy = aside_accuracy * radius_;
     const auto lowest_on = [&](const Vec3& from) {
+        if (const auto low = lowest_by_slopes(of, from, left)) return *low;
         const auto height = [&](double x) {
             return of.lift->lift({from + x * left, Vec3::UnitZ(), of.point.up});
         };

@@ -1,6 +1,7 @@
 // Where a cutter stands on a valley's centre or beside it. Millimetres, part coordinates, axis +Z.
 #pragma once
 
+#include "core/base/golden_section.h"
 #include "core/gouge/vector_lift.h"
 #include "core/strategy/cleanup/strip_passes.h"
 
@@ -48,6 +49,9 @@ private:
     bool place_along_vector(const Place& of, const Vec3& left, double offset, ValleySpot& s) const;
     bool place_along_z(const PencilPoint& p, const Vec3& left, double offset, ValleySpot& s) const;
     Vec3 lowest(const Place& of, const Vec3& tip, const Vec3& left) const;
+    struct Sloping;
+    std::optional<Sloping> sloping(const Place& of, const Vec3& from, const Vec3& left, double at) const;
+    std::optional<LowPlace> lowest_by_slopes(const Place& of, const Vec3& from, const Vec3& left) const;
 
     const StripCutting& with_;
     const ValleyCurve& curve_;
