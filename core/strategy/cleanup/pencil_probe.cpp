@@ -22,8 +22,8 @@ constexpr int seed_halvings = 30, about_halvings = 10;
 
 /// Moves the tip on, starting from a place where `last` is touched, until another flank holds it.
 std::optional<PencilSeed> seed_on(const PencilProbe& probe, const Vec2& at, const Vec2& ahead,
-                                  CutterTouch last, int halvings) {
-    const auto touch = [&](double x) { return probe.touch_at(at + x * ahead); };
+                                  CutterTouch last, int halvings, LiftHint& hint) {
+    const auto touch = [&](double x) { return probe.touch_at(at + x * ahead, hint); };
     const double stride = stride_share * probe.radius();
     for (double x = 0; x < farthest_share * probe.radius(); x += stride) {
         const CutterTouch next = touch(x + stride);
@@ -38,12 +38,13 @@ std::optional<PencilSeed> seed_on(const PencilProbe& probe, const Vec2& at, cons
 /// From a sample away from the flank that holds the cutter up there.
 std::optional<PencilSeed> seed_from(const PencilProbe& probe, const RestSample& s) {
     const Vec2 at = s.tip.head<2>();
-    const CutterTouch touch = probe.touch_at(at);
+    LiftHint hint;
+    const CutterTouch touch = probe.touch_at(at, hint);
     if (!touch.valid) return std::nullopt;
     Vec2 ahead = (touch.normal - s.normal).head<2>();
     if (ahead.norm() < tolerance::level_angle) ahead = -s.normal.head<2>();
     if (ahead.norm() < tolerance::level_angle) return std::nullopt;
-    return seed_on(probe, at, ahead.normalized(), touch, about_halvings);
+    return seed_on(probe, at, ahead.normalized(), touch, about_halvings, hint);
 }
 
 } // namespace
@@ -52,9 +53,9 @@ bool PencilProbe::same_flank(const CutterTouch& a, const CutterTouch& b) {
     return apart(a, b) < min_jump;
 }
 
-CutterTouch PencilProbe::touch_at(const Vec2& at) const {
+CutterTouch PencilProbe::touch_at(const Vec2& at, LiftHint& hint) const {
     CutterTouch t;
-    const AxialContact c = in_.lift->contact(at.x(), at.y());
+    const AxialContact c = in_.lift->contact(at.x(), at.y(), hint);
     if (!(c.tip_z > -infinity)) return t;
     t.valid = true;
     t.tip = Vec3(at.x(), at.y(), c.tip_z);
@@ -101,9 +102,10 @@ PencilPoint turned_round(PencilPoint p) {
 }
 
 std::optional<PencilPoint> pencil_at(const PencilProbe& probe, const PencilSeed& seed) {
-    const CutterTouch touch = probe.touch_at(seed.from);
+    LiftHint hint;
+    const CutterTouch touch = probe.touch_at(seed.from, hint);
     if (!touch.valid) return std::nullopt;
-    const auto found = seed_on(probe, seed.from, seed.ahead, touch, seed_halvings);
+    const auto found = seed_on(probe, seed.from, seed.ahead, touch, seed_halvings, hint);
     return found ? std::optional(found->about) : std::nullopt;
 }
 

@@ -24,7 +24,8 @@ public:
     /// Touched points on the same flank move by no more than this between two steps, in radii.
     static constexpr double max_move = 0.45;
 
-    CutterTouch touch_at(const Vec2& at) const;
+    /// The hint is that of places close by.
+    CutterTouch touch_at(const Vec2& at, LiftHint& hint) const;
 
     /// The cutter that touches twice, between two places beside each other where it touches different flanks.
     PencilPoint pencil(const CutterTouch& left, const CutterTouch& right) const;

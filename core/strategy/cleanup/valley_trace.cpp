@@ -56,8 +56,9 @@ private:
 
     /// All jumps on an arc about a place, counter-clockwise.
     std::vector<Jump> jumps(const Vec2& about, double rho, double from, double to, int samples) const {
+        LiftHint hint;
         const auto on_arc = [&](double angle) {
-            return probe_.touch_at(about + rho * Vec2(std::cos(angle), std::sin(angle)));
+            return probe_.touch_at(about + rho * Vec2(std::cos(angle), std::sin(angle)), hint);
         };
         std::vector<Jump> found;
         CutterTouch last = on_arc(from);
