@@ -32,6 +32,9 @@ public:
             if (owners_.of[i] >= 0) cut(facets_[i], owners_.of[i]);
         }
         facets_ = {};
+        beside_of_ = {};
+        order_points();
+        out_.band_points.shrink_to_fit();
         fill_bands(progress);
         for (std::size_t i = 0; i < out_.bands.size(); ++i) {
             progress.check();
@@ -41,9 +44,6 @@ public:
             // Bands are most of what is kept until all passes are there.
             band.beside.shrink_to_fit();
         }
-        auto& at = out_.band_points;
-        std::sort(at.begin(), at.end());
-        at.erase(std::unique(at.begin(), at.end()), at.end());
         return std::move(out_);
     }
 
@@ -137,10 +137,22 @@ private:
             } else {
                 ++edges[directed_pair(a, b)];
             }
+            // Every point comes with all facets about it.
+            if (out_.band_points.size() == points_at_once_) {
+                order_points();
+                points_at_once_ = std::max(points_at_once_, 2 * out_.band_points.size());
+            }
             out_.band_points.push_back({Index(owner), a});
         }
         for (std::size_t k = 2; k < part.size(); ++k)
             pieces_.push_back({Index(owner), {part[0], part[k - 1], part[k]}});
+    }
+
+    /// None twice.
+    void order_points() {
+        auto& at = out_.band_points;
+        std::sort(at.begin(), at.end());
+        at.erase(std::unique(at.begin(), at.end()), at.end());
     }
 
     /// Once it is known how many triangles each has.
@@ -248,7 +260,8 @@ private:
     std::vector<Piece> pieces_;
     std::vector<Edges> edges_; ///< those of each band that no other facet runs along
     std::unordered_map<std::uint64_t, Index> crossings_, borders_;
-    std::vector<double> made_; ///< what is left at points that cutting out made
+    std::size_t points_at_once_ = 65536; ///< of bands, until they are ordered
+    std::vector<double> made_;           ///< what is left at points that cutting out made
     OutlinedBands out_;
 };
 
