@@ -62,7 +62,9 @@ private:
         std::size_t where = 0;
         for (std::size_t k = 1; k < parts; ++k) {
             const double x = double(k) / double(parts);
-            if (const double d = below(a + x * (b - a), hint); d > worst) {
+            const Vec3 at = a + x * (b - a);
+            if (!with_.lift->is_above(at.x(), at.y(), at.z() + worst, hint)) continue;
+            if (const double d = below(at, hint); d > worst) {
                 worst = d;
                 where = k;
             }
