@@ -108,30 +108,40 @@ bool ContourPasses::is_within(const Vec2& tip, const Vec3& contact, Index facet)
     return within.region->holds(contact, hint);
 }
 
+/// Takes down what the tip touches at a place, which has to be as near as contours are to their border. True:
+/// it is a surface with a slope that is asked for.
+bool ContourPasses::touch(const Vec2& p, const AxialContact& at, Touched& result) const {
+    const TipTouch touch = tell_(p, at);
+    if (!touch.any) return false;
+    result.cc = {touch.point, touch.normal};
+    const double slope = touch.slope();
+    if (slope < options_.slopes.lo || slope > options_.slopes.hi) return false;
+    result.wanted =
+        (touch.surface || !is_border(at.facet, touch.point)) && is_within(p, touch.point, at.facet);
+    return true;
+}
+
 ContourPasses::Touched ContourPasses::touched(const Vec2& p, double z, const Vec2& left,
                                               LiftHint& hint) const {
     Touched result;
     const AxialContact at = lift_.contact(p.x(), p.y(), hint);
     result.cc = {Vec3(p.x(), p.y(), z), Vec3::UnitZ()};
     const double near = 0.5 * options_.chord;
-    if (z - at.tip_z <= near) {
-        const TipTouch touch = tell_(p, at);
-        if (!touch.any) return result;
-        result.cc = {touch.point, touch.normal};
-        const double slope = touch.slope();
-        if (slope >= options_.slopes.lo && slope <= options_.slopes.hi) {
-            result.wanted =
-                (touch.surface || !is_border(at.facet, touch.point)) && is_within(p, touch.point, at.facet);
-            return result;
-        }
-    }
-    // It may stand on a floor, and its side beside a wall.
+    const auto is_part = [&](const AxialContact& c) {
+        return c.facet != no_index && std::size_t(c.facet) < options_.facets;
+    };
+    const bool is_under = z - at.tip_z <= near;
+    if (is_under && (touch(p, at, result) || !is_part(at))) return result;
+    // It may stand on a floor, and its side beside a wall; or so steep a slope rises beside it that the tip
+    // is farther above it than beside it.
     if (left == Vec2::Zero()) return result;
     const Vec2 beyond = p + near * left;
     const AxialContact high = lift_.contact(beyond.x(), beyond.y(), hint);
-    if (!(high.tip_z > z + wall_rise * near) || high.facet == no_index
-        || std::size_t(high.facet) >= options_.facets)
+    if (!(high.tip_z > z + wall_rise * near)) {
+        if (!is_under && high.tip_z > z) touch(beyond, high, result);
         return result;
+    }
+    if (!is_part(high)) return result;
     const double reach = options_.radius + tell_.allowance();
     const Vec2 side = p + reach * left;
     const auto wall = wall_at(Vec3(side.x(), side.y(), z + options_.shoulder));

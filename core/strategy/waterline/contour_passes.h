@@ -37,6 +37,7 @@ private:
         CutterContact cc;
         bool wanted = false;
     };
+    bool touch(const Vec2& p, const AxialContact& at, Touched& result) const;
     Touched touched(const Vec2& p, double z, const Vec2& left, LiftHint& hint) const;
     std::optional<Vec3> wall_at(const Vec3& p) const;
     bool is_border(Index facet, const Vec3& p) const;

@@ -7,8 +7,10 @@ namespace facetmill {
 
 namespace {
 
-/// How near to the border a free place is, in what the contour may lie beside it.
-constexpr double border_share = 0.1;
+/// How near to the border a free place is, in what the contour may lie beside it: as far as the first, so
+/// that straight pieces between such places are free, but no lower than the third. On the steepest slopes
+/// that would be too near to be found, and the second will do.
+constexpr double border_share = 0.5, nearest_share = 0.1, lowest_share = 0.8;
 /// Halvings between two crossings, at most: corners end where pieces are short.
 constexpr int deepest_piece = 14;
 
@@ -177,13 +179,15 @@ Vec2 ContourFinder::crossing(std::uint32_t edge, At& at) const {
 
 /// A free place beside the border between a free place and one that is too high.
 Vec2 ContourFinder::border(Vec2 free, double free_z, Vec2 blocked, double blocked_z, At& at) const {
-    const double near = border_share * tolerance_.above;
+    const double above = tolerance_.above, near = nearest_share * above;
     for (int k = 0;; ++k) {
         const double apart = (blocked - free).norm();
         // On a slope a free place is nearer to the border in the plan than its height is to the level.
         const bool is_slope = free_z > -infinity && blocked_z > free_z;
         const double slope = is_slope ? (blocked_z - free_z) / apart : 0.0;
-        const double below = near * std::max(slope, 1.0);
+        const double steep = std::max(slope, 1.0);
+        const double below =
+            std::max(near * steep, std::min(border_share * above * steep, lowest_share * above));
         if (!(apart > near) || at.z - free_z <= below) break;
         if (is_slope) at.slope = slope;
         // Straight between the two heights, mostly; halved where that comes no nearer.
