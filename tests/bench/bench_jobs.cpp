@@ -18,6 +18,7 @@
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/rough/rough.h"
+#include "core/strategy/waterline/waterline.h"
 #include "tests/bench/median.h"
 #include "tests/bench/opencamlib.h"
 #include "tests/support/part_meshes.h"
@@ -219,6 +220,16 @@ Measured rough(const Mesh& mesh) {
     return job.planned();
 }
 
+/// So many levels, evenly apart.
+Measured waterline(const Mesh& mesh, int levels) {
+    Job job(mesh);
+    job.project.tools = {numbered(1, test::ball_tool(6), deep_flutes)};
+    WaterlineSettings s;
+    s.stepdown = {mesh.box().size().z() / levels, ""};
+    add<Waterline>(job.project, "Levels", 1, 0.05, s);
+    return job.planned();
+}
+
 Measured five_axis(double tolerance_inch) {
     Job job(*make_sample("complex", 0.0005 * mm_per_inch, Progress()));
     job.project.machine = "trunnion-ac";
@@ -296,6 +307,9 @@ std::vector<Row> rows_for(const std::function<Mesh()>& relief) {
         {"rough, relief", [=] { return rough(relief()); }},
         {"rough, field 20 k", [=] { return rough(*field(20'000)()); }},
         {"rough, field 1 M", [=] { return rough(*field(1'000'000)()); }, A::facets, "rough, field 20 k"},
+        {"waterline, 50 levels, field 100 k", [=] { return waterline(*field(100'000)(), 50); }},
+        {"waterline, 50 levels, field 1 M", [=] { return waterline(*field(1'000'000)(), 50); }, A::facets,
+         "waterline, 50 levels, field 100 k"},
         {"finish5, complex .004 in", [] { return five_axis(0.004); }},
         {"finish5, complex .001 in", [] { return five_axis(0.001); }},
         {"simulate, relief .15 mm", [=] { return simulated(relief(), 0.15); }, A::motions},
