@@ -114,7 +114,9 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
     const auto travel_to = [&](const CutterLocation* from, const CutterLocation& start) {
         const auto route = from ? travel.route(from->tip, start.tip, progress.part(0, 0))
                                 : UprightTravel::Route{start.tip, travel.over(start.tip), result.clearance_z};
-        if (from) add(MotionKind::retract, {route.out, from->axis});
+        // Sideways something may be cut.
+        const bool straight = from && route.out.head<2>() == from->tip.head<2>();
+        if (from) add(straight ? MotionKind::retract : MotionKind::cut, {route.out, from->axis});
         for (const Vec3& p : route.rapids())
             if (result.motions.empty() || result.motions.back().to.tip != p)
                 add(MotionKind::rapid, {p, start.axis});

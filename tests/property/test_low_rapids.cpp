@@ -180,7 +180,7 @@ private slots:
         }
     }
 
-    /// A pass along a wall: a little away from it the tool need not go over it.
+    /// A pass along a wall: a little away from it, where it is fed as in a cut, the tool need not go over it.
     void a_wall_beside_a_pass_is_left_sideways() {
         Scene scene;
         scene.part = height_field([](double x, double) { return std::abs(x) > 28.02 ? 20.0 : 0.0; },
@@ -190,8 +190,7 @@ private slots:
         QVERIFY(levels(m).second < clearance + 0.5);
         std::size_t sideways = 0;
         for (std::size_t i = 1; i < m.motions.size(); ++i)
-            sideways += m.motions[i].kind == MotionKind::retract
-                        && m.motions[i].to.tip.head<2>() != m.motions[i - 1].to.tip.head<2>();
+            sideways += m.motions[i].kind == MotionKind::cut && m.motions[i].pass == no_index;
         QVERIFY(sideways > 0);
         PathCheckOptions options;
         options.spacing = 0.2;
