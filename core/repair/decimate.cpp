@@ -69,7 +69,7 @@ std::vector<char> Measured::known_forward(const Mesh& result, const Progress& pr
         box.hi.array() += bound_;
         lost.push_back(box);
     }
-    const BoxTree tree(lost, progress);
+    const BoxTree tree(std::move(lost), progress);
     parallel_for(known.size(), facets_at_once, progress, [&](std::size_t f) {
         if (known[f] || beyond_[f]) return;
         Box3 box;

@@ -390,7 +390,7 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
     for (std::size_t i = 0; i < open.size(); ++i)
         for (Index v : open[i])
             boxes[i].add(part.vertices[v]);
-    const BoxTree tree(boxes, progress);
+    const BoxTree tree(std::move(boxes), progress);
     const auto seen_along = [&](std::size_t i, const Vec3& axis) {
         return axis.dot(s.normals[i]) > tolerance::vertical_normal_z && sight.is_free(s.places[i], axis);
     };
@@ -444,7 +444,7 @@ StockExit::StockExit(const StockSolid& stock, const Progress& progress) : stock_
         volume += (stock.mesh->corner(f, 0) - middle).dot(stock.mesh->facet_cross(f));
     }
     facets->outward = volume < 0 ? -1 : 1;
-    facets->tree = BoxTree(boxes, progress);
+    facets->tree = BoxTree(std::move(boxes), progress);
     facets_ = std::move(facets);
 }
 

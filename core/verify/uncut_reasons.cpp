@@ -38,7 +38,7 @@ public:
         std::vector<Box3> boxes((n + samples_per_box - 1) / samples_per_box);
         for (std::size_t i = 0; i < n; ++i)
             boxes[i / samples_per_box].add(points_[i]);
-        tree_ = BoxTree(boxes, progress);
+        tree_ = BoxTree(std::move(boxes), progress);
     }
     Room(const Mesh& mesh, double spacing, const Progress& progress)
         : Room(sample_surface(mesh, spacing, max_fixture_places, progress, 0).points, progress) {}
