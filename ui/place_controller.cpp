@@ -104,12 +104,13 @@ void PlaceController::part_changed() {
     QTimer::singleShot(0, this, [this] { viewport_.fit(); });
 }
 
-void PlaceController::panel_seen(bool) {
-    // Later: a dock says that it is hidden before what is in it is.
+void PlaceController::panel_seen(bool seen) {
+    // Later: a dock says that it is hidden before what is in it is. Behind another one's tab it is hidden,
+    // too, and its rings would lie over what that one is about.
     QMetaObject::invokeMethod(
         this,
-        [this] {
-            seen_ = panel_->isVisible();
+        [this, seen] {
+            seen_ = seen && panel_->isVisible();
             if (!seen_) leave();
             refresh();
         },

@@ -527,6 +527,27 @@ private slots:
     }
 
     /// By rings and arrows: drawn as it will be while it is dragged, one step when it is let go.
+    /// They would lie over what the other one is about.
+    void rings_go_behind_another_panel() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        w().viewport().set_view(StandardView::top);
+        QVERIFY(wait_until_settled(w()));
+        auto& viewport = w().viewport();
+        ui::PlaceGizmo& gizmo = *w().controllers().place().gizmo();
+        for (const char* front : {"place_dock", "verification_dock", "place_dock"}) {
+            auto* dock = w().findChild<QDockWidget*>(QLatin1String(front));
+            dock->show();
+            dock->raise();
+            QTest::qWait(80);
+            const QPoint ring = gizmo.place_of(ui::PlaceChange::turn, 2, 0.1).toPoint();
+            QTest::mousePress(&viewport, Qt::LeftButton, {}, ring);
+            const bool taken = gizmo.dragging();
+            QTest::mouseRelease(&viewport, Qt::LeftButton, {}, ring);
+            QVERIFY2(taken == (QLatin1String(front) == QLatin1String("place_dock")), front);
+        }
+    }
+
     void rings_and_arrows_are_dragged() {
         action(w(), "place")->trigger();
         QVERIFY(wait_until_settled(w()));
