@@ -99,7 +99,12 @@ QString shown_length(double mm, LengthUnit unit, int digits) {
 }
 
 QString shown_area(double mm2, LengthUnit unit, int digits) {
-    return shown_length(mm2 / mm_per(unit), unit, digits) + QChar(0x00B2);
+    constexpr double floor = 1e-4; // of the unit's square
+    const double area = mm2 / (mm_per(unit) * mm_per(unit));
+    const QString number = area > 0 && area < floor
+                               ? in_user_numbers(QStringLiteral("< %1").arg(text(format_number(floor))))
+                               : number_text(area, digits);
+    return number + QChar(0x00A0) + text(unit_name(unit)) + QChar(0x00B2);
 }
 
 QString size_text(const double (&mm)[3], LengthUnit unit, int digits) {

@@ -366,6 +366,8 @@ private slots:
         QCOMPARE(ui::shown_length(2e-6, LengthUnit::inch), QStringLiteral("< 0.00001\u00a0in"));
         QCOMPARE(ui::with_lengths_in(QStringLiteral("up to < 0.0001 mm, < 5 mm"), LengthUnit::inch),
                  QStringLiteral("up to < 0.00001 in, < 0.19685 in"));
+        QCOMPARE(ui::shown_area(0.0434, LengthUnit::inch), QStringLiteral("< 0.0001\u00a0in²"));
+        QCOMPARE(ui::shown_area(64.516, LengthUnit::inch), QStringLiteral("0.1\u00a0in²"));
         QCOMPARE(ui::percent_text(3e-7), QStringLiteral("< 0.01 %"));
         QCOMPARE(ui::percent_text(0.125), QStringLiteral("12.5 %"));
     }
