@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
     Heart heart;
     const auto row = [&](const char* what, double total_ms) {
         const double pause = heart.longest_ms(), computed = heart.computed_ms();
-        std::printf("%-44s %10.1f ms total %10.1f ms longest pause %10.1f ms most computed in a round\n",
-                    what, total_ms, pause, computed);
+        std::printf("%-44s %10.1f ms total %10.1f ms longest pause (%s) %10.1f ms most computed in a round\n",
+                    what, total_ms, pause, qPrintable(heart.longest_by_cause()), computed);
         std::fflush(stdout);
     };
 
@@ -158,6 +158,7 @@ int main(int argc, char** argv) {
     const auto cancels = [&](const char* what, int tries, int over_ms, const std::function<void()>& start) {
         std::vector<double> end, said, returned;
         double pause = 0;
+        QString cause;
         for (int i = 0; i < tries; ++i) {
             start();
             run_for(over_ms * (2 * i + 1) / (2 * tries));
@@ -171,6 +172,7 @@ int main(int argc, char** argv) {
                 QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
             end.push_back(ended_ms);
             said.push_back(painted.ms);
+            if (heart.longest_ms() > pause) cause = heart.longest_by_cause();
             pause = std::max(pause, heart.longest_ms());
             wait(window);
         }
@@ -185,9 +187,9 @@ int main(int argc, char** argv) {
         };
         std::printf(
             "%-44s %10zu of %d: ended after %s ms, window said so after %s ms, cancel() took %s ms, longest "
-            "pause %.1f ms\n",
+            "pause %.1f ms (%s)\n",
             what, end.size(), tries, qPrintable(middle_and_worst(end)), qPrintable(middle_and_worst(said)),
-            qPrintable(middle_and_worst(returned)), pause);
+            qPrintable(middle_and_worst(returned)), pause, qPrintable(cause));
         std::fflush(stdout);
     };
     heart.reset();
