@@ -165,7 +165,8 @@ void ToolLibraryDialog::show_tools() {
     table_->setRowCount(0);
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const LibraryTool& t = entries_[i].tool;
-        const QString named = text(t.tool.name), shaped = text(t.tool.shape_name()), made = text(t.material);
+        const QString named = text(t.tool.name), shaped = worded(t.tool.shape_name()),
+                      made = text(t.material);
         if (!(named + QChar(' ') + shaped + QChar(' ') + made + QChar(' ') + entries_[i].library)
                  .contains(wanted, Qt::CaseInsensitive))
             continue;

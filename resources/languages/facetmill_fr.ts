@@ -10748,7 +10748,7 @@
     </message>
     <message>
         <source>%1 added to the project</source>
-        <translation>%1 ajoutés au projet</translation>
+        <translation>Ajout au projet : %1</translation>
     </message>
     <message>
         <source>%1 and %2</source>
