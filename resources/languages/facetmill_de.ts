@@ -5320,6 +5320,10 @@
         <translation>hat nur für einige Bewegungen Vorschübe</translation>
     </message>
     <message>
+        <source>has more facets than a tree of their boxes can hold</source>
+        <translation>hat mehr Facetten, als ein Baum ihrer Quader fassen kann</translation>
+    </message>
+    <message>
         <source>has more facets than can be drawn</source>
         <translation>hat mehr Facetten, als gezeichnet werden können</translation>
     </message>
@@ -9534,6 +9538,10 @@
     <message>
         <source>use a number or one of: {1}</source>
         <translation>eine Zahl verwenden oder eines von: {1}</translation>
+    </message>
+    <message>
+        <source>use a smaller mesh</source>
+        <translation>ein kleineres Netz nehmen</translation>
     </message>
     <message>
         <source>use a smaller or longer tool</source>

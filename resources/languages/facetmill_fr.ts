@@ -5320,6 +5320,10 @@
         <translation>n'a d'avances que pour certains mouvements</translation>
     </message>
     <message>
+        <source>has more facets than a tree of their boxes can hold</source>
+        <translation>a plus de facettes qu'un arbre de leurs boîtes ne peut en contenir</translation>
+    </message>
+    <message>
         <source>has more facets than can be drawn</source>
         <translation>a plus de facettes qu'on n'en peut dessiner</translation>
     </message>
@@ -9534,6 +9538,10 @@
     <message>
         <source>use a number or one of: {1}</source>
         <translation>utiliser un nombre ou un de : {1}</translation>
+    </message>
+    <message>
+        <source>use a smaller mesh</source>
+        <translation>prendre un maillage plus petit</translation>
     </message>
     <message>
         <source>use a smaller or longer tool</source>
