@@ -13674,7 +13674,7 @@ auf, %1</translation>
     </message>
     <message>
         <source>On →</source>
-        <translation>Ein →</translation>
+        <translation>Weiter →</translation>
     </message>
     <message>
         <source>One hole</source>

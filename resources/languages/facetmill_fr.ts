@@ -13672,7 +13672,7 @@
     </message>
     <message>
         <source>On →</source>
-        <translation>Début →</translation>
+        <translation>Suivant →</translation>
     </message>
     <message>
         <source>One hole</source>
