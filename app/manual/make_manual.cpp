@@ -44,6 +44,17 @@ std::string contents_list(const std::vector<NamedPage>& pages, const Words& word
     return html + "</ul>\n";
 }
 
+/// From the English contents to those of the other languages, for who reads the manual without the workbench.
+std::string other_languages(const fs::path& resources) {
+    std::string links;
+    for (const std::string& language : manual_languages(resources)) {
+        if (!links.empty()) links += " · ";
+        links.append("<a href=\"").append(language).append("/index.html\">");
+        links.append(Words(resources, language).of("English")).append("</a>");
+    }
+    return "<p class=\"foot\">" + links + "</p>\n";
+}
+
 std::string whole_page(const std::string& title, const std::string& body, const std::string& foot,
                        const std::string& language) {
     return "<!DOCTYPE html>\n<html lang=\"" + language
@@ -104,7 +115,8 @@ std::vector<std::string> write_pages(const fs::path& resources, const fs::path& 
         for (const Section& s : p.page.sections)
             index += href(p, s) + "\t" + std::to_string(s.level) + "\t" + s.title + "\t" + s.text + "\n";
     }
-    put("index.html", whole_page(words.of("Manual"), contents_list(pages, words), {}, words.language()));
+    put("index.html", whole_page(words.of("Manual"), contents_list(pages, words),
+                                 in.empty() ? other_languages(resources) : std::string(), words.language()));
     put("index.tsv", index);
     return files;
 }

@@ -51,7 +51,8 @@ void add_reference(const fs::path& file, const PageOptions& options, std::vector
         const std::string kind = one.substr(5, tick - 5);
         const std::string label = one.substr(tick + 3, one.find('\n') - tick - 3);
         one.replace(0, one.find('\n'), "# " + label + ": parameters");
-        first += "- [" + options.say(label) + "](reference_" + kind + ".md): `" + kind + "`\n";
+        first.append("- [").append(options.say(label)).append("](reference_").append(kind);
+        first.append(".md): `").append(kind).append("`\n");
         PageOptions its = options;
         its.scope = kind;
         own.push_back({"reference_" + kind, make_page(one, its), file});
@@ -93,7 +94,7 @@ void check_links(const std::vector<NamedPage>& pages, const fs::path& resources)
 
 /// The page in the language, or the English one.
 fs::path source_of(const fs::path& resources, const Words& words, const std::string& name) {
-    const fs::path own = resources / "manual" / words.language() / (name + ".md");
+    fs::path own = resources / "manual" / words.language() / (name + ".md");
     if (words.language() != "en" && fs::exists(own)) return own;
     return name == "glossary" ? resources / "glossary.md" : resources / "manual" / (name + ".md");
 }
