@@ -8,6 +8,7 @@
 #include "ui/aside.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
+#include "ui/tool_list.h"
 
 #include <QUndoCommand>
 
@@ -190,7 +191,10 @@ std::size_t Document::add_operation(const std::string& kind) {
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(made.operation));
     std::vector<Tool> tools;
-    if (made.tool) tools.push_back(*made.tool);
+    if (made.tool) {
+        made.tool->name = usual_tool_name_said(*made.tool, project_.unit);
+        tools.push_back(*made.tool);
+    }
     add_operations(tr("Add operation"), made.place, std::move(one), tools);
     if (made.tool) emit tool_added(*made.tool);
     return made.place;

@@ -19,6 +19,7 @@
 #include "ui/scan_words.h"
 #include "ui/settings.h"
 #include "ui/text.h"
+#include "ui/tool_list.h"
 #include "ui/unpack_dialog.h"
 #include "ui/worded.h"
 
@@ -335,6 +336,7 @@ void ProjectFiles::take_mesh(const std::filesystem::path& path, LengthUnit unit,
                              : default_project(path, unit, loaded.part->box);
     if (!turned) take_usual(project);
     name_operations(project);
+    name_tools(project);
     loaded.key = Document::part_key(project);
     document_.open(std::move(project), name.isEmpty() ? path_text(path.stem()) : name, false);
     if (name.isEmpty()) settings::add_recent_file(path_text(path));

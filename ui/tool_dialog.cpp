@@ -43,7 +43,7 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
         tool.flutes = 0; // how that one is run says nothing of another size
         tool.cutting.clear();
         tool.number = document.free_tool_number();
-        tool.name = usual_tool_name(tool, document.unit());
+        tool.name = usual_tool_name_said(tool, document.unit());
     }
     auto* dialog = new ToolDialog(tool, document.unit(), taken, parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -61,7 +61,7 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
 }
 
 ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent)
-    : QDialog(parent), edit_(tool, unit), unit_(unit), taken_(std::move(taken)) {
+    : QDialog(parent), edit_(tool, unit, say_shape), unit_(unit), taken_(std::move(taken)) {
     setWindowTitle(tr("Tool"));
     setObjectName(QStringLiteral("tool_dialog"));
 

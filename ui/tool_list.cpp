@@ -1,10 +1,27 @@
 #include "ui/tool_list.h"
 
 #include "core/job/asked_operations.h"
+#include "core/setup/tool_edit.h"
+#include "ui/text.h"
+#include "ui/worded.h"
 
 #include <algorithm>
 
 namespace facetmill::ui {
+
+std::string say_shape(const std::string& english) {
+    return utf8(worded(english));
+}
+
+std::string usual_tool_name_said(const Tool& tool, LengthUnit unit) {
+    return usual_tool_name(tool, unit, say_shape);
+}
+
+void name_tools(Project& project) {
+    for (Tool& tool : project.tools)
+        if (tool.name == usual_tool_name(tool, project.unit))
+            tool.name = usual_tool_name_said(tool, project.unit);
+}
 
 void add_tool(Document& document, const Tool& tool) {
     document.change(Document::tr("Add tool"), [&](Project& p) { p.tools.push_back(tool); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace facetmill {
 
@@ -62,13 +63,14 @@ CutterShape shape_of(const Tool& tool) {
     return CutterShape::special;
 }
 
-std::string usual_tool_name(const Tool& tool, LengthUnit unit) {
+std::string usual_tool_name(const Tool& tool, LengthUnit unit, const SayShape& say) {
     const auto length = [&](double mm) { return format_number(mm / mm_per(unit), 4); };
     const auto angle = [](double a) { return " " + format_number(degrees(a), 3) + "°"; };
     const CutterShape shape = shape_of(tool);
     std::string name = "Special";
     for (const ShapeName& s : shape_names)
         if (s.shape == shape) name = s.word;
+    if (say) name = say(name);
     name += " " + length(tool.diameter);
     switch (shape) {
     case CutterShape::ball:
@@ -90,10 +92,11 @@ std::string usual_tool_name(const Tool& tool, LengthUnit unit) {
     return name;
 }
 
-ToolEdit::ToolEdit(const Tool& tool, LengthUnit unit)
-    : tool_(tool), unit_(unit), shape_(shape_of(tool)),
-      name_follows_(is_placeholder(tool.name) || tool.name == usual_tool_name(tool, unit)), before_{tool_,
-                                                                                                    shape_} {}
+ToolEdit::ToolEdit(const Tool& tool, LengthUnit unit, SayShape say)
+    : tool_(tool), unit_(unit), say_(std::move(say)), shape_(shape_of(tool)),
+      name_follows_(is_placeholder(tool.name) || tool.name == usual_tool_name(tool, unit)
+                    || tool.name == usual_tool_name(tool, unit, say_)),
+      before_{tool_, shape_} {}
 
 void ToolEdit::set(const std::string& key, const ParameterValue& value) {
     if (key != key_) before_ = {tool_, shape_};
@@ -177,7 +180,7 @@ void ToolEdit::set_shape(CutterShape shape) {
 }
 
 void ToolEdit::rename() {
-    if (name_follows_ && tool_.shape_name() != "Invalid") tool_.name = usual_tool_name(tool_, unit_);
+    if (name_follows_ && tool_.shape_name() != "Invalid") tool_.name = usual_tool_name(tool_, unit_, say_);
 }
 
 } // namespace facetmill

@@ -5,20 +5,24 @@
 #include "core/base/units.h"
 #include "core/setup/tool.h"
 
+#include <functional>
+
 namespace facetmill {
 
 /// Shapes that a tool can be told to have; `special` is any other.
 enum class CutterShape { special, ball, flat, bull, tapered_flat, tapered_ball, drill_point, cone };
 /// By its values, as Tool::shape_name; `special` for values that make no cutter.
 CutterShape shape_of(const Tool& tool);
+/// Says the word for a shape, "Tapered ball", in somebody's language; none: it stays English.
+using SayShape = std::function<std::string(const std::string&)>;
 /// "Ball 6", "Flat 0.25", "Bull 6 R1", "Tapered ball 3 5°": shape and sizes in the unit.
-std::string usual_tool_name(const Tool& tool, LengthUnit unit);
+std::string usual_tool_name(const Tool& tool, LengthUnit unit, const SayShape& say = {});
 
 class ToolEdit {
 public:
     /// Values follow from the shape that the tool has now; its name if nobody has written one: it is the
-    /// usual one, or "Tool" and a number.
-    ToolEdit(const Tool& tool, LengthUnit unit);
+    /// usual one, in English or as `say` has it, or "Tool" and a number.
+    ToolEdit(const Tool& tool, LengthUnit unit, SayShape say = {});
 
     const Tool& tool() const { return tool_; }
     CutterShape shape() const { return shape_; }
@@ -45,6 +49,7 @@ private:
     };
     Tool tool_;
     LengthUnit unit_;
+    SayShape say_;
     CutterShape shape_;
     bool name_follows_;
     std::string key_; ///< that was set last

@@ -14,6 +14,7 @@
 #include "ui/settings.h"
 #include "ui/setup_list.h"
 #include "ui/text.h"
+#include "ui/tool_dialog.h"
 #include "ui/value_words.h"
 #include "ui/worded.h"
 
@@ -282,6 +283,35 @@ private slots:
                                                        "bauche")}));
         const auto files = program_file_names(w().document().project());
         QVERIFY(std::find(files.begin(), files.end(), "01-Ebauche.apt") != files.end());
+    }
+
+    void new_tools_have_names_of_the_language() {
+        ui::speak(QStringLiteral("de"));
+        QVERIFY(show_window() && open_part());
+        const auto& tools = w().document().project().tools;
+        const std::string first = tools.front().name;
+        QVERIFY2(first.starts_with("Kugel "), first.c_str());
+        // One that the program adds for clean-up, and one that is edited.
+        w().document().add_operation("cleanup");
+        QCOMPARE(tools.size(), std::size_t(2));
+        QVERIFY2(tools.back().name.starts_with("Kugel ") && tools.back().name != first,
+                 tools.back().name.c_str());
+        ui::ToolDialog* dialog = ui::ToolDialog::open_for(w().document(), std::nullopt, &w());
+        QVERIFY(dialog && dialog->tool().name.starts_with("Kugel "));
+        auto* shape = dialog->findChild<QComboBox*>(QStringLiteral("shape"));
+        shape->setCurrentIndex(shape->findText(QStringLiteral("Flach")));
+        emit shape->activated(shape->currentIndex());
+        QVERIFY2(dialog->tool().name.starts_with("Flach "), dialog->tool().name.c_str());
+        dialog->accept();
+        QVERIFY(tools.back().name.starts_with("Flach "));
+        // What a project calls a tool stays what it is.
+        w().document().change(QStringLiteral("Name"), [](Project& p) { p.tools.front().name = "Ball 6"; });
+        const QString file = scratch_folder(QStringLiteral("tool-names")) + QStringLiteral("/part.facetmill");
+        QVERIFY(w().files().save_to(file));
+        w().open_file(file);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(tools.front().name, std::string("Ball 6"));
+        QVERIFY(tools.back().name.starts_with("Flach "));
     }
 
     void mnemonics_are_their_own_in_every_menu_data() { each_described_text_is_known_data(); }

@@ -43,6 +43,23 @@ private slots:
         QCOMPARE(edit.tool().name, std::string("Bull 8 R1"));
     }
 
+    void its_name_can_be_in_another_language() {
+        const SayShape german = [](const std::string& word) {
+            return word == "Ball" ? "Kugel" : word == "Tapered ball" ? "Konisch mit Kugel" : word;
+        };
+        QCOMPARE(usual_tool_name(ball(), LengthUnit::mm, german), std::string("Kugel 6"));
+        ToolEdit edit(ball(), LengthUnit::mm, german); // an English name is the program's own as well
+        QVERIFY(edit.name_follows());
+        edit.set("diameter", 2.0);
+        QCOMPARE(edit.tool().name, std::string("Kugel 2"));
+        ToolEdit again(edit.tool(), LengthUnit::mm, german);
+        QVERIFY(again.name_follows());
+        again.set_shape(CutterShape::tapered_ball);
+        QCOMPARE(again.tool().name, std::string("Konisch mit Kugel 2 5°"));
+        // To somebody else it is a name that was written.
+        QVERIFY(!ToolEdit(edit.tool(), LengthUnit::mm).name_follows());
+    }
+
     /// Typed digit by digit, 12 passes 1: the corner of a bull nose comes back.
     void a_number_on_its_way_leaves_no_trace() {
         Tool tool = ball();
