@@ -62,9 +62,7 @@ private:
         std::size_t where = 0;
         for (std::size_t k = 1; k < parts; ++k) {
             const double x = double(k) / double(parts);
-            const Vec3 at = a + x * (b - a);
-            if (!with_.lift->is_above(at.x(), at.y(), at.z() + worst, hint)) continue;
-            if (const double d = below(at, hint); d > worst) {
+            if (const double d = below(a + x * (b - a), hint); d > worst) {
                 worst = d;
                 where = k;
             }
