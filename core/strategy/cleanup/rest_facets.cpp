@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t divided_per_check = 2048;
 /// Edges of facets in a band are not longer than this many radii of the cutter, or than this share of the
 /// half width of what a ball of that radius touches within the tolerance.
-constexpr double edge_share = 0.07, touched_share = 0.5;
+constexpr double edge_share = 0.07, touched_share = 0.7;
 /// Cells that say where a band may be, in radii; larger where there would be more than so many.
 constexpr double mark_share = 0.12, max_cells = 4e6;
 /// Samples are not farther apart than this many radii.
@@ -49,6 +49,10 @@ public:
             if (n == Vec3::Zero() || n.z() < -tolerance::vertical_normal_z) continue;
             divide(mesh.facets[f], Index(f), 0);
         }
+        // There are many, and they are kept until bands are cut out of them.
+        middles_ = {};
+        out_.points.shrink_to_fit();
+        out_.facets.shrink_to_fit();
         return std::move(out_);
     }
 
