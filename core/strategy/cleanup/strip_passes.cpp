@@ -446,7 +446,11 @@ ValleyInput reach_of(const StripCutting& with) {
 StripCut cut_valley(const StripCutting& with, const ValleyCurve& curve, const RestBand& band,
                     const Progress& progress) {
     ValleyCurve longer = curve;
-    RestBand wider = band;
+    // What passes are planned by: the band itself is large.
+    RestBand wider;
+    wider.band = band.band;
+    wider.reach = band.reach;
+    wider.flank = band.flank;
     run_out(with, longer, wider);
     StripCut cut;
     if (longer.points.size() > 1)
