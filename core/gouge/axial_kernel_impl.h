@@ -38,10 +38,13 @@ struct Search : Bounds<tilted, shape> {
     // Nodes and blocks that are still to be opened. With full nodes the tree is no deeper than the digits of
     // the facet count in base 8; seven siblings wait on every level.
     static constexpr int max_nodes = block_width * 16;
-    float node_bound[max_nodes + block_width];
+    static constexpr int last_few = 2 * block_width;
+    float node_room[last_few + max_nodes + block_width]; ///< the first: those of nothing
+    float* const node_bound = node_room + last_few;
     std::uint32_t node_child[max_nodes + block_width];
     int nodes = 0;
-    float block_bound[max_blocks + block_width];
+    float block_room[last_few + max_blocks + block_width];
+    float* const block_bound = block_room + last_few;
     std::uint32_t block_child[max_blocks + block_width];
     int blocks = 0;
     std::uint32_t opened; ///< a block that was opened first
@@ -52,6 +55,8 @@ struct Search : Bounds<tilted, shape> {
         best.slot = no_slot;
         least = sure = -__builtin_inff();
         raise(best.tip);
+        for (int k = 0; k < last_few; ++k)
+            node_room[k] = block_room[k] = -__builtin_inff();
     }
 
     FACETMILL_MEMBER void raise(double tip) {
@@ -258,13 +263,11 @@ struct Search : Bounds<tilted, shape> {
         Float8 below;
         const Float8 above = facet_bounds < first || !tilted > (block, below);
         if constexpr (first || !tilted) {
-            alignas(32) float bound[block_width];
-            store(below, bound);
-            for (unsigned lanes = bits(below > least); lanes != 0; lanes &= lanes - 1) {
-                const int lane = __builtin_ctz(lanes);
-                if (!(bound[lane] > least)) continue;
-                least = sure = bound[lane];
-                sure_slot = which * std::uint32_t(block_width) + std::uint32_t(lane);
+            const float most = max_of(below);
+            if (most > least) {
+                least = sure = most;
+                sure_slot = which * std::uint32_t(block_width)
+                            + std::uint32_t(__builtin_ctz(bits(below == all(most)) | 1u << block_width));
             }
         }
         std::uint32_t slots[block_width];
@@ -349,9 +352,10 @@ struct Search : Bounds<tilted, shape> {
 
     /// Moves the largest of the last few bounds of a list to its end.
     FACETMILL_MEMBER static void best_last(float* bound, std::uint32_t* child, int count) {
-        int most = count - 1;
-        for (int i = count - 2; i >= 0 && i >= count - 2 * int(block_width); --i)
-            most = bound[i] > bound[most] ? i : most;
+        const Float8 late = load(bound + count - 8), early = load(bound + count - 16);
+        const Float8 largest = all(max_of(larger(late, early)));
+        const unsigned found = bits(early == largest) | bits(late == largest) << 8;
+        const int most = found == 0 ? count - 1 : count + 15 - __builtin_clz(found);
         const float b = bound[most];
         const std::uint32_t c = child[most];
         bound[most] = bound[count - 1];
