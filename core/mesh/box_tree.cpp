@@ -22,6 +22,7 @@ public:
             for (std::size_t i = 0; i < n; ++i)
                 tree.order_[i] = middles[i].item;
         }
+        sort_boxes();
         std::size_t nodes = 0;
         count(0, n, nodes);
         tree.nodes_.reserve(nodes);
@@ -54,6 +55,25 @@ private:
         });
         halve(middles, begin, half);
         halve(middles, half, end);
+    }
+
+    /// Boxes into the order of the items, one ring of those that change places after the other.
+    void sort_boxes() {
+        std::vector<Box3>& boxes = tree_.boxes_;
+        std::vector<bool> done(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            check(i);
+            if (done[i]) continue;
+            const Box3 first = boxes[i];
+            std::size_t to = i;
+            for (std::size_t from = tree_.order_[to]; from != i; from = tree_.order_[to]) {
+                boxes[to] = boxes[from];
+                done[to] = true;
+                to = from;
+            }
+            boxes[to] = first;
+            done[to] = true;
+        }
     }
 
     static void count(std::size_t begin, std::size_t end, std::size_t& nodes) {

@@ -43,7 +43,7 @@ public:
             if (in && is_leaf) {
                 const bool alone = node.end - node.begin == 1;
                 for (std::uint32_t k = node.begin; k < node.end; ++k)
-                    if ((alone || enter(boxes_[order_[k]])) && !visit(std::size_t(order_[k]))) return false;
+                    if ((alone || enter(boxes_[k])) && !visit(std::size_t(order_[k]))) return false;
             }
             i = in ? i + 1 : node.next;
         }
@@ -95,9 +95,9 @@ private:
     }
     static std::size_t half_of(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
     Box3 box_of(std::size_t begin, std::size_t end) const {
-        Box3 box = boxes_[order_[begin]];
+        Box3 box = boxes_[begin];
         for (std::size_t k = begin + 1; k < end; ++k)
-            box.add(boxes_[order_[k]]);
+            box.add(boxes_[k]);
         return box;
     }
 
@@ -108,8 +108,8 @@ private:
     };
     class Builder;
 
-    std::vector<Box3> boxes_;
-    std::vector<std::uint32_t> order_;
+    std::vector<std::uint32_t> order_; ///< the items
+    std::vector<Box3> boxes_;          ///< theirs, in this order
     std::vector<Node> nodes_;
 };
 
