@@ -1096,8 +1096,8 @@
         <translation>Höhe zwischen benachbarten Höhenlinien: adaptiv ist überall die größte, die die Toleranz zulässt; eine Länge wird eingehalten, welche Rillen sie auch lässt.</translation>
     </message>
     <message>
-        <source>Height of rapid moves above the highest of part and stock.</source>
-        <translation>Höhe der Eilgänge über dem Höchsten von Teil und Rohteil.</translation>
+        <source>Height of level rapid moves above part and stock on their way; to the first pass and from the last, above the highest of them.</source>
+        <translation>Höhe waagrechter Eilgänge über Teil und Rohteil auf ihrem Weg; zur ersten Bahn hin und von der letzten weg über dem Höchsten von beiden.</translation>
     </message>
     <message>
         <source>Height of the cutting part above the tip.</source>

@@ -1096,8 +1096,8 @@
         <translation>Hauteur entre deux niveaux voisins : adaptatif est partout la plus grande que la tolérance permet ; une longueur est respectée quelles que soient les crêtes qu'elle laisse.</translation>
     </message>
     <message>
-        <source>Height of rapid moves above the highest of part and stock.</source>
-        <translation>Hauteur des rapides au-dessus du plus haut de la pièce et du brut.</translation>
+        <source>Height of level rapid moves above part and stock on their way; to the first pass and from the last, above the highest of them.</source>
+        <translation>Hauteur des rapides horizontaux au-dessus de la pièce et du brut sur leur chemin ; vers la première passe et depuis la dernière, au-dessus du plus haut des deux.</translation>
     </message>
     <message>
         <source>Height of the cutting part above the tip.</source>

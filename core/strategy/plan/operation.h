@@ -113,7 +113,7 @@ struct OperationCommon {
     NumberOrWord ramp_feed{0, "auto"}; ///< into the material; mm/min, auto: half the feed
     NumberOrWord link_feed{0, "auto"}; ///< between cuts; mm/min, auto: the feed
     double spindle = 6000;             ///< rpm
-    double clearance = 5;              ///< height of clearance moves above stock and part, mm
+    double clearance = 5;              ///< height of level rapids above stock and part, mm
     double below_bottom = 0;           ///< how far the cutter may go below the stock's bottom, mm
     /// Direction of the tool axis, from the tip to the spindle, of operations that keep one; any length above
     /// 0.
@@ -145,7 +145,7 @@ struct LayerPreview {
 
 /// How the passes of an operation are joined (motion.h).
 enum class Linking {
-    upright,    ///< axis +Z: over the surface, or level at the clearance height
+    upright,    ///< axis +Z: over the surface, or in rapids over part and stock
     tilted,     ///< axis per location: over the surface, or level beyond what the tilted tool reaches
     over_stock, ///< axis +Z: over the stock as it stands at each moment
     about_axis, ///< around a part that turns; such an operation has `turning()`

@@ -134,15 +134,17 @@ void add_common_parameters(ParameterTable<S>& table, Workholding holding) {
                                     .maximum = 1e6,
                                     .open_minimum = true,
                                     .stage = Stage::output});
-    table.add(member(&S::clearance), {.key = "clearance",
-                                      .label = "Clearance",
-                                      .help = "Height of rapid moves above the highest of part and stock.",
-                                      .kind = K::number,
-                                      .quantity = Quantity::length,
-                                      .minimum = 0,
-                                      .maximum = 1e4,
-                                      .open_minimum = true,
-                                      .stage = Stage::link});
+    table.add(member(&S::clearance),
+              {.key = "clearance",
+               .label = "Clearance",
+               .help = "Height of level rapid moves above part and stock on their way; to the first "
+                       "pass and from the last, above the highest of them.",
+               .kind = K::number,
+               .quantity = Quantity::length,
+               .minimum = 0,
+               .maximum = 1e4,
+               .open_minimum = true,
+               .stage = Stage::link});
     if (holding == Workholding::on_table)
         table.add(member(&S::below_bottom),
                   {.key = "below_bottom",
