@@ -10,7 +10,9 @@
 #include "core/strategy/surface/stock_field.h"
 #include "core/strategy/surface/up_side.h"
 
+#include <cmath>
 #include <mutex>
+#include <optional>
 
 namespace facetmill {
 
@@ -25,6 +27,8 @@ constexpr double max_samples = 4e6;
 /// Where the part holds the cutter up by more than this share of the allowed height, that is why too much
 /// stays.
 constexpr double reach_share = 0.25;
+/// So many ways round a flat bottom is asked to stand over a place.
+constexpr int flat_places = 24;
 /// Samples of a row between two looks at the cancel flag.
 constexpr std::size_t row_part = 512;
 
@@ -250,14 +254,11 @@ private:
             if (!up_.closed() && !in_.outside_up) return;
             places = &report.covered;
         } else {
-            // Standing where it would touch the facet's plane at p: how much does the part around lift it?
-            const Vec3 q = p + reach_share * in_.allowed * n;
-            const double rho = std::hypot(q.x() - tip.x(), q.y() - tip.y());
-            if (rho <= in_.cover->radius()
-                && in_.lift->tip_z(tip.x(), tip.y()) + in_.cover->profile().height_at(rho) <= q.z())
+            if (const auto reached = tip_that_reaches(p, n, tip)) {
                 places = &report.passed_by;
+                if (in_.tell_passed) report.passed_tips.push_back(*reached);
+            }
         }
-        if (in_.tell_passed && places == &report.passed_by) report.passed_tips.push_back(tip);
         places->area += area;
         // How high exactly is asked only of the highest.
         if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;
@@ -265,6 +266,27 @@ private:
         if (left <= places->height) return;
         places->height = left;
         places->at = on_part;
+    }
+
+    /// A tip that comes down to p; none where the part around holds it up, wherever it stands.
+    std::optional<Vec3> tip_that_reaches(const Vec3& p, const Vec3& n, const Vec3& tip) const {
+        const Vec3 q = p + reach_share * in_.allowed * n;
+        const auto reaches = [&](const Vec2& at) {
+            const double rho = (q.head<2>() - at).norm();
+            return rho <= in_.cover->radius()
+                   && in_.lift->tip_z(at.x(), at.y()) + in_.cover->profile().height_at(rho) <= q.z();
+        };
+        if (reaches(tip.head<2>())) return tip;
+        // A flat bottom on a level plane may stand any way over the place.
+        if ((tip - p).head<2>().norm() > 0 || !in_.cover->has_flat_bottom()) return std::nullopt;
+        for (const double far : {1.0, 0.5})
+            for (int k = 0; k < flat_places; ++k) {
+                const double angle = 2 * pi * k / flat_places;
+                const Vec2 at =
+                    p.head<2>() + far * in_.cover->flat_radius() * Vec2(std::cos(angle), std::sin(angle));
+                if (reaches(at)) return Vec3(at.x(), at.y(), tip.z());
+            }
+        return std::nullopt;
     }
 
     bool passes_hold(const Vec3& q, const Vec3& tip) const { return swept_.lowest(q, tip, q.z()) <= q.z(); }

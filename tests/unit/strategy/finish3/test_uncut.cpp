@@ -131,6 +131,21 @@ private slots:
         QVERIFY(c.report().passed_by.area > 0.4 * 1200);
     }
 
+    /// A flat end reaches the floor beside a wall with its rim, wherever its middle has to stand.
+    void a_flat_bottom_reaches_with_its_rim() {
+        Checked c(step(0, 5), flat_tool(6));
+        QVERIFY(c.report().out_of_reach.area == 0);
+        // As if the passes kept 2 mm off the wall: a tip straight over that floor is held up by it.
+        std::erase_if(c.path.passes, [](const Pass& p) { return p.offset < 5; });
+        for (Pass& pass : c.path.passes)
+            for (CutterLocation& at : pass.cl)
+                at.tip.y() = std::max(at.tip.y(), 5.0);
+        const UncutReport report = c.report();
+        QVERIFY2(report.out_of_reach.area < 0.02 * report.passed_by.area,
+                 qPrintable(QString("%1 of %2").arg(report.out_of_reach.area).arg(report.passed_by.area)));
+        QVERIFY(report.passed_by.area > 80);
+    }
+
     void what_the_part_covers_is_told_where_the_outside_is_known() {
         // A table with a foot: its foot faces up under the plate.
         Mesh m = box(Vec3(-10, -10, 10), Vec3(10, 10, 12));
