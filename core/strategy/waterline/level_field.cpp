@@ -1,8 +1,10 @@
 #include "core/strategy/waterline/level_field.h"
 
 #include "core/base/parallel.h"
+#include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace facetmill {
@@ -10,11 +12,23 @@ namespace facetmill {
 namespace {
 
 /// Normals of cutter and facet that differ by less are those of one surface.
-const double same_surface = std::cos(radians(12));
+const double surface_angle = radians(12), same_surface = std::cos(surface_angle);
 /// Places that are asked at a time.
 constexpr std::size_t band_places = 1 << 18;
 
 } // namespace
+
+/// Whether a cutter that stands on a plane, or on one that leans hardly another way, touches it with its
+/// corner at `rel`: only then it cuts the plane with that.
+bool TouchTeller::corner_lies_on(const Vec3& normal, const Vec3& rel) const {
+    const Vec3 outward = Vec3(rel.x(), rel.y(), 0).normalized(), axis = outward.cross(Vec3::UnitZ());
+    if (std::abs(normal.dot(axis)) > std::sin(surface_angle)) return false;
+    const Vec3 here = (normal - normal.dot(axis) * axis).normalized();
+    return std::ranges::any_of(std::array{0.0, surface_angle, -surface_angle}, [&](double angle) {
+        const Vec3 n = Eigen::AngleAxisd(angle, axis) * here;
+        return n.z() > 0 && n.dot(rel + cover_.tip_offset(n)) <= tolerance::contact_distance;
+    });
+}
 
 TipTouch TouchTeller::operator()(const Vec2& p, const AxialContact& contact) const {
     TipTouch touch;
@@ -27,7 +41,8 @@ TipTouch TouchTeller::operator()(const Vec2& p, const AxialContact& contact) con
     const auto open = cover_.contact_normal(contact.point - Vec3(p.x(), p.y(), contact.tip_z));
     touch.normal = open ? *open : facet;
     if (touch.normal.z() < 0) touch.normal = -touch.normal;
-    touch.surface = touch.normal.dot(facet) >= same_surface;
+    touch.surface = open ? touch.normal.dot(facet) >= same_surface
+                         : corner_lies_on(facet, contact.point - Vec3(p.x(), p.y(), contact.tip_z));
     return touch;
 }
 

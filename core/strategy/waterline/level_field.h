@@ -30,8 +30,11 @@ public:
         : index_(std::move(index)), cover_(cover), facets_(facets), allowance_(allowance) {}
     TipTouch operator()(const Vec2& p, const AxialContact& contact) const;
     double allowance() const { return allowance_; }
+    const CutterCover& cover() const { return cover_; }
 
 private:
+    bool corner_lies_on(const Vec3& normal, const Vec3& rel) const;
+
     ContactIndexPtr index_;
     const CutterCover& cover_;
     std::size_t facets_;
