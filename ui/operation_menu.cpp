@@ -31,13 +31,14 @@ QString drawing_name(const std::string& kind) {
 constexpr double drawing_share = 130.0 / 240.0;
 /// Narrower ones could not be made out.
 constexpr int narrowest_drawing = 48;
-constexpr int picture_width = 66; // points, in menus: so all kinds stand in one column of 600 points
+constexpr int picture_width = 62; // points, in menus: so all kinds stand in one column of 600 points
 
 /// As the manual tells of them: what is done first, what is asked for most; others behind these.
 std::vector<OperationKind> kinds_in_order() {
-    constexpr std::array<std::string_view, 14> order = {
-        "rough",  "finish3", "waterline", "steep_shallow", "cleanup",      "pencil",      "along_curve",
-        "radial", "spiral",  "morph",     "finish5",       "global_local", "lathe_rough", "lathe_finish"};
+    constexpr std::array<std::string_view, 15> order = {
+        "rough",   "finish3", "waterline",    "scallop",     "steep_shallow",
+        "cleanup", "pencil",  "along_curve",  "radial",      "spiral",
+        "morph",   "finish5", "global_local", "lathe_rough", "lathe_finish"};
     std::vector<OperationKind> kinds = operation_kinds();
     const auto place = [&](const OperationKind& k) { return std::find(order.begin(), order.end(), k.kind); };
     std::stable_sort(kinds.begin(), kinds.end(),
@@ -105,6 +106,9 @@ QString operation_words(const std::string& kind) {
     if (kind == "finish3") return QMenu::tr("Passes side by side over the surface, with an upright tool");
     if (kind == "waterline")
         return QMenu::tr("Goes round steep walls and flanks at one height after another");
+    if (kind == "scallop")
+        return QMenu::tr(
+            "Passes that follow a border or a curve or go round a place, with cusps of one height");
     if (kind == "steep_shallow")
         return QMenu::tr("Divides the part by slope: levels round what is steep, passes over the rest");
     if (kind == "cleanup") return QMenu::tr("Cuts the valleys that a larger tool could not enter");

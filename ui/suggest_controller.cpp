@@ -48,6 +48,9 @@ QString kind_reason(const std::string& kind, const SuggestedPart& part) {
                    "%1 % of the surface is no steeper than %2°: passes side by side lie far apart "
                    "there")
             .arg(share_words(1 - part.steep_share), limit);
+    if (kind == "scallop")
+        return SuggestController::tr(
+            "Passes follow the border, everywhere as far apart as the tolerance allows");
     if (kind == "spiral") return SuggestController::tr("One pass that winds over the part needs few links");
     if (kind == "radial")
         return SuggestController::tr("Passes from the middle outward meet its rims head on");

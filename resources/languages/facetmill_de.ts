@@ -424,6 +424,10 @@
         <translation>Kugelkopf</translation>
     </message>
     <message>
+        <source>Begin at</source>
+        <translation>Beginnen an</translation>
+    </message>
+    <message>
         <source>Below the bottom</source>
         <translation>Unter dem Boden</translation>
     </message>
@@ -584,6 +588,10 @@
         <translation>Torus mit Kegelstirn</translation>
     </message>
     <message>
+        <source>Constant scallop</source>
+        <translation>Gleiche Rillenhöhe</translation>
+    </message>
+    <message>
         <source>Contact points</source>
         <translation>Berührpunkte</translation>
     </message>
@@ -610,6 +618,10 @@
     <message>
         <source>Corners of a closed curve, which is looked at along Z.</source>
         <translation>Ecken einer geschlossenen Kurve, entlang Z betrachtet.</translation>
+    </message>
+    <message>
+        <source>Counting steps from the border</source>
+        <translation>Schritte vom Rand werden gezählt</translation>
     </message>
     <message>
         <source>Course of the passes: parallel drive planes.</source>
@@ -778,6 +790,10 @@
     <message>
         <source>Distance between neighbouring layers; from_tolerance is everywhere the largest that leaves no more than the tolerance above the allowance, at most the diameter, and puts lines closer where a floor stays.</source>
         <translation>Abstand benachbarter Ebenen; aus der Toleranz ist überall der größte, der nicht mehr als die Toleranz über dem Aufmaß lässt, höchstens der Durchmesser, und legt Linien dichter, wo ein Boden bleibt.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring passes over the surface: adaptive is everywhere what leaves cusps of the tolerance; a length is kept whatever cusps it leaves.</source>
+        <translation>Abstand benachbarter Bahnen über die Oberfläche: adaptiv ist überall der, der Rillen von der Höhe der Toleranz lässt; eine Länge wird eingehalten, welche Rillen sie auch lässt.</translation>
     </message>
     <message>
         <source>Distance between neighbouring passes, looked at from above: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
@@ -1288,6 +1304,10 @@
         <translation>Scans werden verbunden</translation>
     </message>
     <message>
+        <source>Joins closed passes that lie within each other to one, whose turns go evenly from each to the next.</source>
+        <translation>Verbindet geschlossene Bahnen, die ineinander liegen, zu einer, deren Windungen gleichmäßig von einer zur nächsten gehen.</translation>
+    </message>
+    <message>
         <source>Joint rate</source>
         <translation>Achsgeschwindigkeit</translation>
     </message>
@@ -1560,6 +1580,10 @@
         <translation>Macht das Objekt ({1}) so viele Male so groß, wie Datei und Einheit sagen, um den Ursprung der Datei; 1 lässt es. Einheit, Skalierung, Spiegelung, Drehung und Verschiebung folgen in dieser Reihenfolge.</translation>
     </message>
     <message>
+        <source>Making passes</source>
+        <translation>Bahnen werden gebildet</translation>
+    </message>
+    <message>
         <source>Margin</source>
         <translation>Zugabe</translation>
     </message>
@@ -1570,6 +1594,10 @@
     <message>
         <source>Material</source>
         <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Measuring steps over the surface</source>
+        <translation>Schritte über die Oberfläche werden gemessen</translation>
     </message>
     <message>
         <source>Measuring the part</source>
@@ -1634,6 +1662,10 @@
     <message>
         <source>Name of a boundary of the setup, the curve or border of which is followed, seen from above. A drawn curve is taken without its offset. Empty: the outline of what is cut.</source>
         <translation>Name einer Begrenzung der Aufspannung, deren Kurve oder Rand gefolgt wird, von oben gesehen. Eine gezeichnete Kurve gilt ohne ihren Versatz. Leer: der Umriss dessen, was gefräst wird.</translation>
+    </message>
+    <message>
+        <source>Name of a boundary of the setup, the curve or border of which passes follow, with 'Begin at' curve, seen from above. Empty: the outline of what is cut.</source>
+        <translation>Name einer Begrenzung der Aufspannung, deren Kurve oder Rand die Bahnen folgen, wenn sie an einer Kurve beginnen, von oben gesehen. Leer: der Umriss dessen, was gefräst wird.</translation>
     </message>
     <message>
         <source>Name of a boundary of the setup, with the curve at which the passes begin. Empty, both: halves of the outline of what is cut.</source>
@@ -1922,6 +1954,10 @@
     <message>
         <source>Passes over shallow surface</source>
         <translation>Bahnen über flache Flächen</translation>
+    </message>
+    <message>
+        <source>Passes over what is less steep: parallel keeps to drive planes; scallop follows the border, with cusps of one height.</source>
+        <translation>Bahnen über das, was flacher ist: parallel bleibt in Führungsebenen; gleiche Rillenhöhe folgt dem Rand.</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2228,6 +2264,10 @@
         <translation>Flach</translation>
     </message>
     <message>
+        <source>Shallow by</source>
+        <translation>Flaches durch</translation>
+    </message>
+    <message>
         <source>Shank</source>
         <translation>Schaft</translation>
     </message>
@@ -2292,8 +2332,12 @@
         <translation>Neigung, mit der Rampen und Wendeln hinabgehen.</translation>
     </message>
     <message>
-        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by parallel passes.</source>
-        <translation>Neigung gegen die Waagrechte, an der das Teil geteilt wird: was steiler ist, wird in Höhenlinien gefräst, was flacher ist, in parallelen Bahnen.</translation>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by passes side by side.</source>
+        <translation>Neigung gegen die Waagrechte, an der das Teil geteilt wird: was steiler ist, wird in Höhenlinien gefräst, was flacher ist, in Bahnen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Slope limit</source>
+        <translation>Neigungsgrenze</translation>
     </message>
     <message>
         <source>Slope limits</source>
@@ -2466,6 +2510,10 @@
     <message>
         <source>Strips also where more than the tolerance stands after the operations before: their programs are verified first.</source>
         <translation>Streifen auch, wo nach den Operationen davor mehr als die Toleranz steht: deren Programme werden zuerst geprüft.</translation>
+    </message>
+    <message>
+        <source>Surface that is steeper, from level, is left to other operations.</source>
+        <translation>Oberfläche, die gegen die Waagrechte steiler ist, bleibt anderen Operationen.</translation>
     </message>
     <message>
         <source>Surface with a gap</source>
@@ -3072,6 +3120,10 @@
         <translation>Wo am Quader um Rohteil oder Teil der Nullpunkt liegt, in X, Y und Z: -1 die niedrige Seite, 0 die Mitte, 1 die hohe Seite. `0, 0, 1`: die Mitte der Oberseite.</translation>
     </message>
     <message>
+        <source>Where passes go round, with 'Begin at' place.</source>
+        <translation>Worum die Bahnen gehen, wenn sie an einer Stelle beginnen.</translation>
+    </message>
+    <message>
         <source>Where the boundary was.</source>
         <translation>Wo die Begrenzung war.</translation>
     </message>
@@ -3456,6 +3508,10 @@
         <translation>ein Teil von {1} mal {2} verlangt mehr als {3} Stellen dieses Werkzeugs</translation>
     </message>
     <message>
+        <source>a part of {1} by {2} asks for too many passes of this tool</source>
+        <translation>ein Teil von {1} mal {2} verlangt zu viele Bahnen dieses Werkzeugs</translation>
+    </message>
+    <message>
         <source>a part of {1} by {2} asks for too many places of this tool</source>
         <translation>ein Teil von {1} mal {2} verlangt zu viele Stellen dieses Werkzeugs</translation>
     </message>
@@ -3756,8 +3812,8 @@
         <translation>alles wird in Höhenlinien gefräst: {1}</translation>
     </message>
     <message>
-        <source>all is cut by parallel passes: {1}</source>
-        <translation>alles wird in parallelen Bahnen gefräst: {1}</translation>
+        <source>all is cut by passes side by side: {1}</source>
+        <translation>alles wird in Bahnen nebeneinander gefräst: {1}</translation>
     </message>
     <message>
         <source>all of it lies off the part</source>
@@ -4042,6 +4098,14 @@
     <message>
         <source>between its radii there is nothing</source>
         <translation>zwischen seinen Radien liegt nichts</translation>
+    </message>
+    <message>
+        <source>border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>border: passes follow the border of what is cut; curve: they lie on both sides of a curve; place: they go round a place on the part.</source>
+        <translation>Rand: Bahnen folgen dem Rand dessen, was gefräst wird; Kurve: sie liegen zu beiden Seiten einer Kurve; Stelle: sie gehen um eine Stelle auf dem Teil.</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -6740,6 +6804,10 @@
         <translation>nichts vom Teil, was {1} bearbeitet werden kann, hat eine Neigung von {2} bis {3} Grad</translation>
     </message>
     <message>
+        <source>nothing of the part that can be cut {1} is less steep than {2} degrees</source>
+        <translation>nichts vom Teil, was {1} bearbeitet werden kann, ist weniger steil als {2} Grad</translation>
+    </message>
+    <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>vom Rohteil steht nichts über dem Teil und dem Aufmaß von {1}</translation>
     </message>
@@ -6998,6 +7066,10 @@
     <message>
         <source>pieces: those with less area go.</source>
         <translation>Stücke: die mit weniger Fläche fallen weg.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>places are not told from the origin</source>
@@ -7278,6 +7350,10 @@
     <message>
         <source>say what the step does</source>
         <translation>sagen, was der Schritt tut</translation>
+    </message>
+    <message>
+        <source>scallop</source>
+        <translation>gleiche Rillenhöhe</translation>
     </message>
     <message>
         <source>section</source>
@@ -8292,6 +8368,10 @@
         <translation>die Bahnen lassen mehr als erwartet: {1} bleiben um bis zu {2} stehen, am meisten bei {3}: einen kleineren Bahnabstand oder eine andere Richtung wählen</translation>
     </message>
     <message>
+        <source>the passes leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller tolerance or step-over</source>
+        <translation>die Bahnen lassen mehr als erwartet: {1} bleiben um bis zu {2} stehen, am meisten bei {3}: eine kleinere Toleranz oder einen kleineren Bahnabstand wählen</translation>
+    </message>
+    <message>
         <source>the path asks for more than {1} places of this tool</source>
         <translation>der Weg verlangt mehr als {1} Stellen dieses Werkzeugs</translation>
     </message>
@@ -8694,6 +8774,10 @@
     <message>
         <source>the tolerance asks for more than {1} passes</source>
         <translation>die Toleranz verlangt mehr als {1} Bahnen</translation>
+    </message>
+    <message>
+        <source>the tolerance asks for more than {1} passes side by side</source>
+        <translation>die Toleranz verlangt mehr als {1} Bahnen nebeneinander</translation>
     </message>
     <message>
         <source>the tolerance asks for {1} levels</source>
@@ -9384,6 +9468,10 @@
         <translation>dreht sich in einer Bewegung um eine halbe Drehung</translation>
     </message>
     <message>
+        <source>turns of the spiral</source>
+        <translation>Windungen der Spirale</translation>
+    </message>
+    <message>
         <source>two kinds of motion in one block</source>
         <translation>zwei Arten von Bewegung in einem Satz</translation>
     </message>
@@ -9690,6 +9778,10 @@
     <message>
         <source>widen it, take a smaller tool, or keep only the contact within</source>
         <translation>sie erweitern, ein kleineres Werkzeug nehmen oder nur den Berührpunkt darin halten</translation>
+    </message>
+    <message>
+        <source>widen the slope limit, or cut it by levels (waterline)</source>
+        <translation>die Neigungsgrenze weiter machen oder mit Höhenlinien fräsen</translation>
     </message>
     <message>
         <source>widen the slope limits, or finish it by parallel passes</source>
@@ -10080,6 +10172,10 @@
         <translation>Zickzack fräst offene Bahnen, wie es näher ist; eine Richtung immer mit dem Teil rechts vom Weg (Gleichlauf).</translation>
     </message>
     <message>
+        <source>zigzag cuts passes whichever way is nearer; oneway always one way round.</source>
+        <translation>Zickzack fräst Bahnen, wie es näher ist; eine Richtung immer in derselben Richtung herum.</translation>
+    </message>
+    <message>
         <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
         <translation>Zickzack fräst hin und her, offene Höhenlinien, wie es näher ist; eine Richtung immer gleich herum, Höhenlinien mit dem Teil rechts vom Weg (Gleichlauf).</translation>
     </message>
@@ -10370,6 +10466,10 @@
     <message>
         <source>{1} of the surface is less steep than the slope limits and is left to other operations</source>
         <translation>{1} der Oberfläche sind weniger steil als die Neigungsgrenzen und bleiben anderen Operationen</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is steeper than the slope limit and is left to other operations</source>
+        <translation>{1} der Oberfläche sind steiler als die Neigungsgrenze und bleiben anderen Operationen</translation>
     </message>
     <message>
         <source>{1} of the surface would only be cut by a tip below the lowest level: allow it by 'Below the bottom', where nothing holds the stock there</source>
@@ -13901,6 +14001,10 @@ auf, %1</translation>
         <translation>Bahnen</translation>
     </message>
     <message>
+        <source>Passes follow the border, everywhere as far apart as the tolerance allows</source>
+        <translation>Bahnen folgen dem Rand, überall so weit auseinander, wie die Toleranz erlaubt</translation>
+    </message>
+    <message>
         <source>Passes follow the part's outline</source>
         <translation>Die Bahnen folgen dem Umriss des Teils</translation>
     </message>
@@ -13915,6 +14019,10 @@ auf, %1</translation>
     <message>
         <source>Passes side by side over the surface, with an upright tool</source>
         <translation>Bahnen nebeneinander über die Fläche, mit senkrechtem Werkzeug</translation>
+    </message>
+    <message>
+        <source>Passes that follow a border or a curve or go round a place, with cusps of one height</source>
+        <translation>Bahnen, die einem Rand oder einer Kurve folgen oder um eine Stelle gehen, mit Rillen von einer Höhe</translation>
     </message>
     <message>
         <source>Passes that go over from one curve to another, the way the part flows</source>

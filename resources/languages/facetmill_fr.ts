@@ -424,6 +424,10 @@
         <translation>Hémisphérique</translation>
     </message>
     <message>
+        <source>Begin at</source>
+        <translation>Commencer à</translation>
+    </message>
+    <message>
         <source>Below the bottom</source>
         <translation>Sous le fond</translation>
     </message>
@@ -584,6 +588,10 @@
         <translation>Torique à fond conique</translation>
     </message>
     <message>
+        <source>Constant scallop</source>
+        <translation>Crête constante</translation>
+    </message>
+    <message>
         <source>Contact points</source>
         <translation>Points de contact</translation>
     </message>
@@ -610,6 +618,10 @@
     <message>
         <source>Corners of a closed curve, which is looked at along Z.</source>
         <translation>Sommets d'une courbe fermée, regardée selon Z.</translation>
+    </message>
+    <message>
+        <source>Counting steps from the border</source>
+        <translation>Comptage des pas depuis le bord</translation>
     </message>
     <message>
         <source>Course of the passes: parallel drive planes.</source>
@@ -778,6 +790,10 @@
     <message>
         <source>Distance between neighbouring layers; from_tolerance is everywhere the largest that leaves no more than the tolerance above the allowance, at most the diameter, and puts lines closer where a floor stays.</source>
         <translation>Distance entre niveaux voisins ; d'après la tolérance est partout la plus grande qui ne laisse pas plus que la tolérance au-dessus de la surépaisseur, au plus le diamètre, et serre les lignes où un fond reste.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring passes over the surface: adaptive is everywhere what leaves cusps of the tolerance; a length is kept whatever cusps it leaves.</source>
+        <translation>Distance entre passes voisines sur la surface : adaptatif est partout celle qui laisse des crêtes de la tolérance ; une longueur est tenue, quelles que soient les crêtes.</translation>
     </message>
     <message>
         <source>Distance between neighbouring passes, looked at from above: adaptive is everywhere the largest that the tolerance allows; a length is kept whatever cusps it leaves.</source>
@@ -1288,6 +1304,10 @@
         <translation>Jonction des scans</translation>
     </message>
     <message>
+        <source>Joins closed passes that lie within each other to one, whose turns go evenly from each to the next.</source>
+        <translation>Joint les passes fermées emboîtées en une seule, dont les tours vont régulièrement de chacune à la suivante.</translation>
+    </message>
+    <message>
         <source>Joint rate</source>
         <translation>Vitesse des axes</translation>
     </message>
@@ -1560,6 +1580,10 @@
         <translation>Rend l'objet ({1}) tant de fois plus grand que ne disent son fichier et l'unité, autour de l'origine du fichier ; 1 le laisse. Unité, échelle, miroir, rotation et translation s'appliquent dans cet ordre.</translation>
     </message>
     <message>
+        <source>Making passes</source>
+        <translation>Formation des passes</translation>
+    </message>
+    <message>
         <source>Margin</source>
         <translation>Marge</translation>
     </message>
@@ -1570,6 +1594,10 @@
     <message>
         <source>Material</source>
         <translation>Matière</translation>
+    </message>
+    <message>
+        <source>Measuring steps over the surface</source>
+        <translation>Mesure des pas sur la surface</translation>
     </message>
     <message>
         <source>Measuring the part</source>
@@ -1634,6 +1662,10 @@
     <message>
         <source>Name of a boundary of the setup, the curve or border of which is followed, seen from above. A drawn curve is taken without its offset. Empty: the outline of what is cut.</source>
         <translation>Nom d’une limite du montage dont la courbe ou le bord est suivi, vu de dessus. Une courbe dessinée est prise sans son décalage. Vide : le contour de ce qui est usiné.</translation>
+    </message>
+    <message>
+        <source>Name of a boundary of the setup, the curve or border of which passes follow, with 'Begin at' curve, seen from above. Empty: the outline of what is cut.</source>
+        <translation>Nom d'une limite de la mise en place, dont les passes suivent la courbe ou le bord quand elles commencent à une courbe, vue de dessus. Vide : le contour de ce qui est usiné.</translation>
     </message>
     <message>
         <source>Name of a boundary of the setup, with the curve at which the passes begin. Empty, both: halves of the outline of what is cut.</source>
@@ -1922,6 +1954,10 @@
     <message>
         <source>Passes over shallow surface</source>
         <translation>Passes sur les surfaces douces</translation>
+    </message>
+    <message>
+        <source>Passes over what is less steep: parallel keeps to drive planes; scallop follows the border, with cusps of one height.</source>
+        <translation>Passes sur ce qui est moins raide : parallèle reste dans des plans directeurs ; crête constante suit le bord.</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2228,6 +2264,10 @@
         <translation>Doux</translation>
     </message>
     <message>
+        <source>Shallow by</source>
+        <translation>Doux par</translation>
+    </message>
+    <message>
         <source>Shank</source>
         <translation>Queue</translation>
     </message>
@@ -2292,8 +2332,12 @@
         <translation>Pente à laquelle descendent rampes et hélices.</translation>
     </message>
     <message>
-        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by parallel passes.</source>
-        <translation>Pente par rapport à l'horizontale où la pièce est divisée : ce qui est plus raide est usiné par niveaux, ce qui l'est moins par passes parallèles.</translation>
+        <source>Slope from level at which the part is divided: what is steeper is cut by levels, what is less steep by passes side by side.</source>
+        <translation>Pente par rapport à l'horizontale où la pièce est divisée : ce qui est plus raide est usiné par niveaux, ce qui l'est moins par passes côte à côte.</translation>
+    </message>
+    <message>
+        <source>Slope limit</source>
+        <translation>Limite de pente</translation>
     </message>
     <message>
         <source>Slope limits</source>
@@ -2466,6 +2510,10 @@
     <message>
         <source>Strips also where more than the tolerance stands after the operations before: their programs are verified first.</source>
         <translation>Bandes aussi où il reste plus que la tolérance après les opérations précédentes : leurs programmes sont d'abord vérifiés.</translation>
+    </message>
+    <message>
+        <source>Surface that is steeper, from level, is left to other operations.</source>
+        <translation>La surface plus raide, par rapport à l'horizontale, est laissée à d'autres opérations.</translation>
     </message>
     <message>
         <source>Surface with a gap</source>
@@ -3072,6 +3120,10 @@
         <translation>Où est l'origine sur la boîte du brut ou de la pièce, en X, Y et Z : -1 son côté bas, 0 son milieu, 1 son côté haut. `0, 0, 1` : le milieu du dessus.</translation>
     </message>
     <message>
+        <source>Where passes go round, with 'Begin at' place.</source>
+        <translation>Ce que les passes entourent, quand elles commencent à un point.</translation>
+    </message>
+    <message>
         <source>Where the boundary was.</source>
         <translation>Où était la limite.</translation>
     </message>
@@ -3456,6 +3508,10 @@
         <translation>une pièce de {1} sur {2} demande plus de {3} places de cet outil</translation>
     </message>
     <message>
+        <source>a part of {1} by {2} asks for too many passes of this tool</source>
+        <translation>une pièce de {1} sur {2} demande trop de passes de cet outil</translation>
+    </message>
+    <message>
         <source>a part of {1} by {2} asks for too many places of this tool</source>
         <translation>une pièce de {1} sur {2} demande trop de positions de cet outil</translation>
     </message>
@@ -3756,8 +3812,8 @@
         <translation>tout est usiné par niveaux : {1}</translation>
     </message>
     <message>
-        <source>all is cut by parallel passes: {1}</source>
-        <translation>tout est usiné par passes parallèles : {1}</translation>
+        <source>all is cut by passes side by side: {1}</source>
+        <translation>tout est usiné par passes côte à côte : {1}</translation>
     </message>
     <message>
         <source>all of it lies off the part</source>
@@ -4042,6 +4098,14 @@
     <message>
         <source>between its radii there is nothing</source>
         <translation>il n’y a rien entre ses rayons</translation>
+    </message>
+    <message>
+        <source>border</source>
+        <translation>bord</translation>
+    </message>
+    <message>
+        <source>border: passes follow the border of what is cut; curve: they lie on both sides of a curve; place: they go round a place on the part.</source>
+        <translation>bord : les passes suivent le bord de ce qui est usiné ; courbe : elles se rangent des deux côtés d'une courbe ; point : elles entourent un point de la pièce.</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -6740,6 +6804,10 @@
         <translation>rien de la pièce qui puisse être usiné {1} n'a une pente de {2} à {3} degrés</translation>
     </message>
     <message>
+        <source>nothing of the part that can be cut {1} is less steep than {2} degrees</source>
+        <translation>rien de la pièce qui puisse être usiné {1} n'est moins raide que {2} degrés</translation>
+    </message>
+    <message>
         <source>nothing of the stock stands above the part and the allowance of {1}</source>
         <translation>rien du brut ne dépasse la pièce et la surépaisseur de {1}</translation>
     </message>
@@ -6998,6 +7066,10 @@
     <message>
         <source>pieces: those with less area go.</source>
         <translation>morceaux : ceux de moins d'aire partent.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>point</translation>
     </message>
     <message>
         <source>places are not told from the origin</source>
@@ -7278,6 +7350,10 @@
     <message>
         <source>say what the step does</source>
         <translation>dire ce que fait l'étape</translation>
+    </message>
+    <message>
+        <source>scallop</source>
+        <translation>crête constante</translation>
     </message>
     <message>
         <source>section</source>
@@ -8292,6 +8368,10 @@
         <translation>les passes laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus à {3} : choisir un pas latéral plus petit ou une autre direction</translation>
     </message>
     <message>
+        <source>the passes leave more than expected: {1} stays uncut by up to {2}, most at {3}: choose a smaller tolerance or step-over</source>
+        <translation>les passes laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus à {3} : choisir une tolérance ou un pas latéral plus petits</translation>
+    </message>
+    <message>
         <source>the path asks for more than {1} places of this tool</source>
         <translation>le parcours demande plus de {1} places de cet outil</translation>
     </message>
@@ -8694,6 +8774,10 @@
     <message>
         <source>the tolerance asks for more than {1} passes</source>
         <translation>la tolérance demande plus de {1} passes</translation>
+    </message>
+    <message>
+        <source>the tolerance asks for more than {1} passes side by side</source>
+        <translation>la tolérance demande plus de {1} passes côte à côte</translation>
     </message>
     <message>
         <source>the tolerance asks for {1} levels</source>
@@ -9384,6 +9468,10 @@
         <translation>tourne d'un demi-tour en un mouvement</translation>
     </message>
     <message>
+        <source>turns of the spiral</source>
+        <translation>spires de la spirale</translation>
+    </message>
+    <message>
         <source>two kinds of motion in one block</source>
         <translation>deux sortes de mouvement dans un bloc</translation>
     </message>
@@ -9690,6 +9778,10 @@
     <message>
         <source>widen it, take a smaller tool, or keep only the contact within</source>
         <translation>l'élargir, prendre un outil plus petit, ou ne garder que le contact dedans</translation>
+    </message>
+    <message>
+        <source>widen the slope limit, or cut it by levels (waterline)</source>
+        <translation>élargissez la limite de pente, ou usinez par niveaux constants</translation>
     </message>
     <message>
         <source>widen the slope limits, or finish it by parallel passes</source>
@@ -10080,6 +10172,10 @@
         <translation>zigzag usine les passes ouvertes dans le sens le plus proche ; un sens toujours avec la pièce à droite de l'avance (en avalant).</translation>
     </message>
     <message>
+        <source>zigzag cuts passes whichever way is nearer; oneway always one way round.</source>
+        <translation>zigzag usine les passes dans le sens le plus proche ; un sens toujours dans le même sens.</translation>
+    </message>
+    <message>
         <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
         <translation>zigzag usine en va-et-vient, et les niveaux ouverts dans le sens le plus proche ; un sens toujours dans la même direction, les niveaux avec la pièce à droite de l'avance (en avalant).</translation>
     </message>
@@ -10370,6 +10466,10 @@
     <message>
         <source>{1} of the surface is less steep than the slope limits and is left to other operations</source>
         <translation>{1} de la surface sont moins raides que les limites de pente et sont laissés à d'autres opérations</translation>
+    </message>
+    <message>
+        <source>{1} of the surface is steeper than the slope limit and is left to other operations</source>
+        <translation>{1} de la surface sont plus raides que la limite de pente et sont laissés à d'autres opérations</translation>
     </message>
     <message>
         <source>{1} of the surface would only be cut by a tip below the lowest level: allow it by 'Below the bottom', where nothing holds the stock there</source>
@@ -13899,6 +13999,10 @@
         <translation>Passes</translation>
     </message>
     <message>
+        <source>Passes follow the border, everywhere as far apart as the tolerance allows</source>
+        <translation>Les passes suivent le bord, partout aussi espacées que la tolérance le permet</translation>
+    </message>
+    <message>
         <source>Passes follow the part's outline</source>
         <translation>Les passes suivent le contour de la pièce</translation>
     </message>
@@ -13913,6 +14017,10 @@
     <message>
         <source>Passes side by side over the surface, with an upright tool</source>
         <translation>Des passes côte à côte sur la surface, avec un outil vertical</translation>
+    </message>
+    <message>
+        <source>Passes that follow a border or a curve or go round a place, with cusps of one height</source>
+        <translation>Passes qui suivent un bord ou une courbe ou entourent un point, aux crêtes de même hauteur</translation>
     </message>
     <message>
         <source>Passes that go over from one curve to another, the way the part flows</source>

@@ -27,8 +27,8 @@ inline const HeldCase held_cases[] = {
     {"cleanup", "generic-3-axis", false},       {"finish5", "trunnion-ac", false},
     {"global_local", "trunnion-ac", false},     {"waterline", "generic-3-axis", false},
     {"steep_shallow", "generic-3-axis", false}, {"radial", "generic-3-axis", false},
-    {"pencil", "generic-3-axis", false},        {"lathe_rough", "lathe-mill", true},
-    {"lathe_finish", "lathe-mill", true}};
+    {"pencil", "generic-3-axis", false},        {"scallop", "generic-3-axis", false},
+    {"lathe_rough", "lathe-mill", true},        {"lathe_finish", "lathe-mill", true}};
 
 inline Mesh rod() {
     Mesh mesh;

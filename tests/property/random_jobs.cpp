@@ -173,8 +173,8 @@ const std::vector<OperationKind>& kinds_for(std::uint64_t seed) {
         std::vector<OperationKind> kinds = operation_kinds();
         std::erase_if(kinds, [](const OperationKind& k) {
             return k.kind == "waterline" || k.kind == "steep_shallow" || k.kind == "pencil"
-                   || k.kind == "along_curve" || k.kind == "radial" || k.kind == "spiral"
-                   || k.kind == "morph";
+                   || k.kind == "along_curve" || k.kind == "radial" || k.kind == "spiral" || k.kind == "morph"
+                   || k.kind == "scallop";
         });
         return kinds;
     }();

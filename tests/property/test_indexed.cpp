@@ -24,7 +24,7 @@ using namespace facetmill::test;
 
 namespace {
 
-constexpr const char* kept_kinds[] = {"rough", "finish3", "cleanup", "waterline", "steep_shallow"};
+constexpr const char* kept_kinds[] = {"rough", "finish3", "cleanup", "waterline", "steep_shallow", "scallop"};
 
 /// A round body with bumps and hollows all over, which stands on its lowest point.
 Mesh bumpy_body() {

@@ -77,8 +77,8 @@ private slots:
 
     void every_kind_that_suits_the_part_has_one() {
         QVERIFY(open_part());
-        for (const char* kind : {"rough", "waterline", "steep_shallow", "radial", "spiral", "morph",
-                                 "along_curve", "finish5", "global_local"}) {
+        for (const char* kind : {"rough", "waterline", "steep_shallow", "scallop", "radial", "spiral",
+                                 "morph", "along_curve", "finish5", "global_local"}) {
             QVERIFY(add(kind));
             QVERIFY2(shown(), qPrintable(QString::fromLatin1(kind) + QStringLiteral(": ") + label()));
             shot(w(), QStringLiteral("preview-") + QString::fromLatin1(kind));

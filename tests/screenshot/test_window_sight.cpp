@@ -206,7 +206,7 @@ private slots:
                 // In machining order, and in one column of a small screen.
                 QCOMPARE(menu->actions().front()->text(), QStringLiteral("Rough"));
                 if (menu != add->menu())
-                    QVERIFY2(height * int(operation_kinds().size()) < 580,
+                    QVERIFY2(height * int(operation_kinds().size()) < 590,
                              qPrintable(QString::number(height)));
                 const QAction* last = menu->actions().back();
                 const int sign = menu->actionGeometry(const_cast<QAction*>(last)).height();

@@ -10,6 +10,7 @@
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/preview/preview_curves.h"
 #include "core/strategy/preview/preview_levels.h"
+#include "core/strategy/preview/preview_scallop.h"
 #include "core/strategy/preview/preview_turning.h"
 #include "core/strategy/preview/preview_valleys.h"
 #include "core/strategy/rough/rough.h"
@@ -66,6 +67,7 @@ private:
         if (const auto* o = as<Waterline>())
             return levels(o->settings().chord_tolerance, o->settings().stepdown, o->settings().max_stepdown,
                           {o->settings().slope_limits[0], o->settings().slope_limits[1]}, progress);
+        if (const auto* o = as<Scallop>()) return scallops(o->settings(), progress);
         if (const auto* o = as<SteepShallow>()) return both(o->settings(), progress);
         if (const auto* o = as<Rough>()) return layers(*o, progress);
         if (const auto* o = as<GlobalLocal>())
@@ -142,6 +144,8 @@ private:
             try {
                 if (steep)
                     levels(s.chord_tolerance, s.stepdown, s.max_stepdown, slopes, part);
+                else if (s.shallow_by == SteepShallowSettings::Shallow::scallop)
+                    scallops(shallow_scallop(s), part);
                 else
                     parallel(s.chord_tolerance, s.stepover, slopes, part);
                 any = true;
@@ -150,6 +154,14 @@ private:
                 if (e.code() != ErrorCode::empty_result || (!steep && !any)) throw;
             }
         }
+    }
+
+    void scallops(const ScallopSettings& s, const Progress& progress) {
+        const PreviewStep step = step_of(s.stepover, s.chord_tolerance);
+        const PreviewField field = this->field(cutter_, {0, s.slope_limit}, progress.part(0, 0.4));
+        need(field);
+        lay_scallops(field, s, request_, step, preview_, progress.part(0.4, 1));
+        if (s.spiral) preview_.without.emplace_back("turns of the spiral");
     }
 
     void layers(const Rough& rough, const Progress& progress) {

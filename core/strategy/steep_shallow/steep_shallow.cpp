@@ -5,6 +5,7 @@
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/plan/shared_parameters.h"
+#include "core/strategy/scallop/scallop_steps.h"
 #include "core/strategy/surface/slope_facets.h"
 #include "core/strategy/waterline/level_sweep.h"
 
@@ -43,6 +44,23 @@ Finish3Settings shallow_settings(const SteepShallowSettings& s) {
     f.rest_only = s.rest_only;
     return f;
 }
+
+} // namespace
+
+ScallopSettings shallow_scallop(const SteepShallowSettings& s) {
+    ScallopSettings c;
+    static_cast<OperationCommon&>(c) = s;
+    c.stepover = s.stepover;
+    c.slope_limit = std::min(s.shallow().hi, ScallopSteps::steepest);
+    c.pattern = s.pattern == Finish3Settings::Pattern::zigzag ? ScallopSettings::Pattern::zigzag
+                                                              : ScallopSettings::Pattern::oneway;
+    c.chord_tolerance = s.chord_tolerance;
+    c.holder_clearance = s.holder_clearance;
+    c.rest_only = s.rest_only;
+    return c;
+}
+
+namespace {
 
 /// What passes cut, for those that come after them.
 std::shared_ptr<const EarlierCuts> cuts_of_passes(const PlannedPasses& planned, const AptCutter& cutter,
@@ -110,12 +128,16 @@ private:
         const SlopePiece piece = piece_between(context_, settings_.shallow(), progress.part(0, 0.02));
         if (!piece.mesh) return;
         PlanContext own = context_;
-        own.part = piece.mesh;
-        own.is_piece = true;
-        own.geometry = compute_geometry(*piece.mesh, progress.part(0.02, 0.05));
         if (steep_)
             own.earlier.push_back(cuts_of_passes(*steep_, context_.tool.cutter(), settings_.allowance));
         try {
+            if (settings_.shallow_by == SteepShallowSettings::Shallow::scallop) {
+                shallow_ = scallop_passes(shallow_scallop(settings_), own, progress.part(0.05, 1));
+                return;
+            }
+            own.part = piece.mesh;
+            own.is_piece = true;
+            own.geometry = compute_geometry(*piece.mesh, progress.part(0.02, 0.05));
             shallow_ = finish3_passes(shallow_settings(settings_), own, progress.part(0.05, 1));
         } catch (const Error& e) {
             if (e.code() != ErrorCode::empty_result) throw;
@@ -176,7 +198,7 @@ private:
                                       + text_(cusp_allowed_));
         if (uncut_.below > 0) result.warnings.push_back(below_warning(uncut_.below, uncut_.area));
         if (!steep_ && !no_steep_.empty())
-            result.warnings.push_back("all is cut by parallel passes: " + no_steep_);
+            result.warnings.push_back("all is cut by passes side by side: " + no_steep_);
         if (!shallow_)
             result.warnings.push_back(
                 "all is cut by levels: "
@@ -217,7 +239,7 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
         t.add(&S::divide, {.key = "divide",
                            .label = "Divide",
                            .help = "Slope from level at which the part is divided: what is steeper is cut by "
-                                   "levels, what is less steep by parallel passes.",
+                                   "levels, what is less steep by passes side by side.",
                            .kind = K::number,
                            .quantity = Quantity::angle,
                            .minimum = radians(10),
@@ -229,6 +251,12 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
                             .quantity = Quantity::angle,
                             .minimum = 0,
                             .maximum = 0.25 * pi});
+        t.add_choice(&S::shallow_by,
+                     {.key = "shallow",
+                      .label = "Shallow by",
+                      .help = "Passes over what is less steep: parallel keeps to drive planes; "
+                              "scallop follows the border, with cusps of one height.",
+                      .words = {"parallel", "scallop"}});
         t.add(&S::stepdown, stepdown_parameter());
         t.add(&S::stepover, stepover_parameter());
         t.add(&S::max_stepdown, max_stepdown_parameter());

@@ -59,7 +59,8 @@ private slots:
         SuggestJob job;
         const auto all = suggestable(job.project);
         const std::set<std::string> kinds = kinds_of(all);
-        for (const char* kind : {"finish3", "waterline", "steep_shallow", "radial", "spiral", "morph"})
+        for (const char* kind :
+             {"finish3", "waterline", "steep_shallow", "scallop", "radial", "spiral", "morph"})
             QVERIFY2(kinds.contains(kind), kind);
         for (const char* kind : {"rough", "cleanup", "pencil", "along_curve", "lathe_finish", "lathe_rough"})
             QVERIFY2(!kinds.contains(kind), kind);

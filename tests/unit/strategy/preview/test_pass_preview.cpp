@@ -286,6 +286,41 @@ private slots:
         QVERIFY2(length > 25, qPrintable(QString::number(length)));
     }
 
+    void scallops_begin_where_they_are_asked() {
+        const Mesh mesh = hollowed();
+        const auto op = operation_of("scallop");
+        const Tool tool = ball_tool(4);
+        PreviewRequest request = request_for(mesh, *op, tool);
+        // Nothing goes round a place as near as the passes from the border would.
+        const auto nearest = [&](const Vec2& p) {
+            double best = infinity;
+            for (const auto& line : preview_passes(*op, request, Progress()).lines)
+                for (std::size_t i = 1; i < line.size(); ++i) {
+                    const Vec2 a = line[i - 1].head<2>(), d = line[i].head<2>() - a;
+                    const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), 0.0, 1.0);
+                    best = std::min(best, (a + t * d - p).norm());
+                }
+            return best;
+        };
+        op->set("from", std::string("place"));
+        op->set("place", std::array<double, 3>{9, 7, 0});
+        const double half = 0.5 * preview_passes(*op, request, Progress()).step;
+        const double round = nearest(Vec2(9, 7));
+        QVERIFY2(std::abs(round - half) < 0.4 * half, qPrintable(QString::number(round / half)));
+        op->set("from", std::string("curve"));
+        request.context.curves = {{"Line", {{{Vec2(-14, 9), Vec2(14, 9)}, false}}}};
+        QVERIFY(nearest(Vec2(3, 9)) < 0.1);
+        request.context.curves = {{"Line", {{{Vec2(-14, 90), Vec2(14, 90)}, false}}}};
+        QCOMPARE(code_of([&] { preview_passes(*op, request, Progress()); }),
+                 std::string(code_name(ErrorCode::out_of_range)));
+        // A closed pass of a spiral and what is shallow of a divided part are shown as well.
+        const auto both = operation_of("steep_shallow");
+        const double parallel = preview_passes(*both, request, Progress()).length();
+        both->set("shallow", std::string("scallop"));
+        const double scallop = preview_passes(*both, request, Progress()).length();
+        QVERIFY(scallop != parallel && scallop > 0.5 * parallel && scallop < 2 * parallel);
+    }
+
     void settings_that_make_no_passes_are_said() {
         const auto code = [](const std::string& kind, const char* key, const ParameterValue& value,
                              const Mesh& mesh) {

@@ -118,23 +118,29 @@ private slots:
         QTest::addColumn<int>("part");
         QTest::addColumn<int>("tool");
         QTest::addColumn<double>("divide");
+        QTest::addColumn<bool>("scallop");
         for (int p = 0; p < 3; ++p)
             for (int t = 0; t < 4; ++t)
-                if (all_cases || (p + t) % 2 == 0)
-                    QTest::addRow("%d %s", p, tools_of_every_shape()[std::size_t(t)].name)
-                        << p << t << 25.0 + 10 * ((p + t) % 4);
+                for (const bool scallop : {false, true})
+                    if (all_cases || (scallop ? p == t : (p + t) % 2 == 0))
+                        QTest::addRow("%d %s%s", p, tools_of_every_shape()[std::size_t(t)].name,
+                                      scallop ? " scallop" : "")
+                            << p << t << 25.0 + 10 * ((p + t) % 4) << scallop;
     }
     void both_together_cut_everything() {
         QFETCH(int, part);
         QFETCH(int, tool);
         QFETCH(double, divide);
+        QFETCH(bool, scallop);
         const auto hills = [](double x, double y) { return 4 * std::sin(0.25 * x) * std::cos(0.2 * y); };
         const auto tent = [](double x, double y) { return 9 - std::max(std::abs(x), 0.3 * std::abs(y)); };
         const Mesh mesh = part == 0   ? dome(12, 30)
                           : part == 1 ? height_field(hills, Vec2(-14, -10), Vec2(14, 10), 56, 40)
                                       : height_field(tent, Vec2(-10, -10), Vec2(10, 10), 40, 40);
         const Tool cutter = tools_of_every_shape()[std::size_t(tool)].tool;
-        const StrategyResult path = planned_on(mesh, divided_at(divide), cutter);
+        SteepShallowSettings settings = divided_at(divide);
+        if (scallop) settings.shallow_by = SteepShallowSettings::Shallow::scallop;
+        const StrategyResult path = planned_on(mesh, settings, cutter);
         const BruteCutter brute(cutter.cutter());
         const double foot = 0.3 + double(brute.height(double(brute.radius())));
         const Naive naive = naive_check(mesh, path, cutter, 0.1, [&](const PartSample& s) {
@@ -156,7 +162,7 @@ private slots:
         const Mesh flat =
             height_field([](double x, double) { return 0.1 * x; }, Vec2(-9, -9), Vec2(9, 9), 9, 9);
         const StrategyResult passes = planned_on(flat, divided_at(45), ball_tool(6));
-        QVERIFY(tells(passes, "all is cut by parallel passes: nothing of the part"));
+        QVERIFY(tells(passes, "all is cut by passes side by side: nothing of the part"));
         QVERIFY(std::none_of(passes.passes.begin(), passes.passes.end(),
                              [](const Pass& p) { return p.layer >= 0; }));
         const StrategyResult levels = planned_on(cone_of(10, 15, 90), divided_at(30), ball_tool(6));
