@@ -10173,7 +10173,7 @@
     </message>
     <message>
         <source>zigzag cuts passes whichever way is nearer; oneway always one way round.</source>
-        <translation>Zickzack fräst Bahnen, wie es näher ist; eine Richtung immer in derselben Richtung herum.</translation>
+        <translation>Zickzack fräst Bahnen, wie es näher ist; einseitig immer in derselben Richtung herum.</translation>
     </message>
     <message>
         <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>

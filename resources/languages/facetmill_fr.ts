@@ -10173,7 +10173,7 @@
     </message>
     <message>
         <source>zigzag cuts passes whichever way is nearer; oneway always one way round.</source>
-        <translation>zigzag usine les passes dans le sens le plus proche ; un sens toujours dans le même sens.</translation>
+        <translation>zigzag usine les passes dans le sens le plus proche ; sens unique toujours dans le même sens.</translation>
     </message>
     <message>
         <source>zigzag cuts to and fro, and open levels whichever way is nearer; oneway always in the same direction, levels with the part on the right of the travel (climb milling).</source>
