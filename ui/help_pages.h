@@ -1,6 +1,6 @@
 // The pages of the manual as the program carries them: what stands on them, for the contents and the search,
-// and their drawings in the colours of a palette. app/manual makes them of resources/manual. Pages are those of
-// the language that is spoken; what there is none of comes in English.
+// and their drawings in the colours of a palette. app/manual makes them of resources/manual. Pages are those
+// of the language that is spoken; what there is none of comes in English.
 #pragma once
 
 #include <QImage>
