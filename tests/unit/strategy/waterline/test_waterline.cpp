@@ -110,7 +110,8 @@ private slots:
             circles += is_closed(pass);
         }
         QVERIFY2(circles + 2 >= path.passes.size(), qPrintable(QString::number(circles)));
-        QVERIFY(path.stepover_max < 1.05 * step && path.stepover_max > 0.9 * step);
+        // Steps are chosen by eighths of an octave, and bins of heights take a little more.
+        QVERIFY(path.stepover_max < 1.05 * step && path.stepover_max > 0.88 * step);
     }
 
     void nothing_is_gouged_and_what_is_steep_is_cut_data() {
