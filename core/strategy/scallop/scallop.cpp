@@ -439,9 +439,10 @@ void ScallopPlanner::add_overlooked(const Progress& progress) {
 
 void ScallopPlanner::add_warnings() {
     auto& warnings = result_.warnings;
-    if (const double steeper = piece_.all - piece_.area; steeper > 1e-9 * piece_.all)
+    const double all = piece_.all + piece_.walls;
+    if (const double steeper = all - piece_.area; steeper > 1e-9 * all)
         warnings.push_back(
-            share_text(steeper, piece_.all)
+            share_text(steeper, all)
             + " of the surface is steeper than the slope limit and is left to other operations");
     if (uncut_.out_of_reach.height > 0)
         warnings.push_back(hollows_warning(uncut_.out_of_reach, piece_.all, text_));

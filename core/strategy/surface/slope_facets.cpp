@@ -31,8 +31,9 @@ SlopePiece piece_between(const PlanContext& context, const Interval& slopes, con
     std::vector<Index> facets;
     for (std::size_t f = 0; f < slope.size(); ++f) {
         if (f % 8192 == 0) progress.check();
-        if (!(slope[f] <= upright)) continue;
         const double area = 0.5 * mesh.facet_cross(f).norm();
+        if (slope[f] > upright && slope[f] < pi - upright) piece.walls += area;
+        if (!(slope[f] <= upright)) continue;
         piece.all += area;
         if (slope[f] < slopes.lo) piece.shallower += area;
         if (slope[f] < slopes.lo || slope[f] > slopes.hi) continue;

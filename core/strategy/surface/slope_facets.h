@@ -18,6 +18,7 @@ std::vector<double> facet_slopes(const Mesh& mesh, bool as_wound, const Mat3& tu
 struct SlopePiece {
     MeshPtr mesh;                            ///< null: nothing
     double area = 0, shallower = 0, all = 0; ///< of it; of what is less steep; of all that faces up; mm^2
+    double walls = 0;                        ///< of what faces neither up nor down; not among `all`
 };
 SlopePiece piece_between(const PlanContext& context, const Interval& slopes, const Progress& progress);
 
