@@ -393,29 +393,6 @@ private slots:
         QVERIFY(!window.isVisible());
     }
 
-    void every_page_fits_a_small_window_in_both_palettes() {
-        help().open({});
-        ui::HelpWindow& window = *help().window();
-        window.resize(800, 600);
-        QTest::qWait(300); // the page is made anew for its width
-        for (const ui::Theme theme : {ui::Theme::light, ui::Theme::dark}) {
-            w().set_theme(theme);
-            QApplication::processEvents();
-            for (const ui::HelpSection& s : ui::help_sections()) {
-                if (s.level != 1) continue;
-                window.show_topic(s.topic);
-                QTest::qWait(5);
-                const QTextDocument& page = *window.browser()->document();
-                // Only tables of machines are wider than a page that one can read.
-                if (!s.topic.startsWith(QLatin1String("reference.")))
-                    QVERIFY2(page.size().width() <= window.browser()->viewport()->width() + 1,
-                             qPrintable(s.topic));
-                shot(window, QStringLiteral("help-%1-%2")
-                                 .arg(theme == ui::Theme::dark ? "dark" : "light", s.topic.chopped(5)));
-            }
-        }
-    }
-
     void plain_words() {
         const auto rough = make_operation("rough");
         const ParameterInfo& depth = rough->parameter("depth");

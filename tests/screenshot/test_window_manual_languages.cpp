@@ -93,7 +93,10 @@ private slots:
         QVERIFY(drawing.value<QImage>().width() > 100);
     }
 
-    void every_page_fits_a_small_window_data() { languages(); }
+    void every_page_fits_a_small_window_data() {
+        languages();
+        QTest::newRow("en") << QStringLiteral("en") << QString() << QString() << QString();
+    }
     void every_page_fits_a_small_window() {
         QFETCH(QString, language);
         ui::speak(language);
