@@ -180,7 +180,8 @@ ScallopField::Metric ScallopField::displacement(std::size_t i, double jump) cons
         const std::size_t before = at > 0 && cut_[i - by] ? i - by : i,
                           after = at < last && cut_[i + by] ? i + by : i;
         if (before == after) continue;
-        const double apart = spacing_ * double((after - before) / by);
+        const std::size_t cells = (after - before) / by; // one or two
+        const double apart = spacing_ * double(cells);
         const Vec3 moved = (touched_[after] - touched_[before]).cast<double>() / apart;
         if (moved.norm() <= jump * tip[std::size_t(k)].norm()) touched[std::size_t(k)] = moved;
     }
