@@ -116,6 +116,22 @@ double saddle(double x, double y) {
     return 0.03 * (x * x - y * y);
 }
 
+/// The field of a ball of 6 mm that leaves cusps of 0.05 mm.
+struct FieldOfBall {
+    FieldOfBall(const Mesh& mesh, double spacing, double beyond)
+        : context(context_of(mesh, ball_tool(6))), tell(context.contact, cover, mesh.facet_count(), 0),
+          field(lift, tell, steps, mesh.box(),
+                {.steepest = radians(70), .beyond = beyond, .spacing = spacing}, {}) {}
+
+    PlanContext context;
+    CutterProfile profile{context.tool.cutter()};
+    CutterCover cover{profile, 0.01};
+    AxialLift lift{context.contact, profile, 0};
+    TouchTeller tell;
+    ScallopSteps steps{cover, 0.05, {}};
+    ScallopField field;
+};
+
 } // namespace
 
 class TestScallop : public QObject {
@@ -159,20 +175,11 @@ private slots:
     void distances_on_a_plane_are_lengths() {
         const Mesh plane =
             height_field([](double x, double) { return 0.7 * x; }, Vec2(-12, -12), Vec2(12, 12), 6, 6);
-        const PlanContext context = context_of(plane, ball_tool(6));
-        const CutterProfile profile(context.tool.cutter());
-        const CutterCover cover(profile, 0.01);
-        const AxialLift lift(context.contact, profile, 0);
-        const TouchTeller tell(context.contact, cover, plane.facet_count(), 0);
-        const ScallopSteps steps(cover, 0.05, {});
-        ScallopField::Options options;
-        options.steepest = radians(70);
-        options.spacing = 0.3;
-        options.beyond = 4;
-        const ScallopField field(lift, tell, steps, plane.box(), options, {});
+        const FieldOfBall on(plane, 0.3, 4);
+        const ScallopField& field = on.field;
         const std::size_t middle = field.nearest(Vec3::Zero());
         const std::vector<double> d = field_distances(field.grid(), {{middle, 0}}, {});
-        const double step = steps.down(0).apart;
+        const double step = on.steps.down(0).apart;
         int looked = 0;
         for (std::size_t i = 0; i < field.size(); ++i) {
             const Vec2 by = field.place(i) - field.place(middle);
@@ -354,17 +361,8 @@ private slots:
     /// What is wide becomes a line in its middle: a bar, a ring, a spot.
     void middles_are_lines() {
         const Mesh plane = height_field([](double, double) { return 0.0; }, Vec2(-9, -9), Vec2(9, 9), 4, 4);
-        const PlanContext context = context_of(plane, ball_tool(6));
-        const CutterProfile profile(context.tool.cutter());
-        const CutterCover cover(profile, 0.01);
-        const AxialLift lift(context.contact, profile, 0);
-        const TouchTeller tell(context.contact, cover, plane.facet_count(), 0);
-        const ScallopSteps steps(cover, 0.05, {});
-        ScallopField::Options options;
-        options.steepest = radians(70);
-        options.spacing = 0.2;
-        options.beyond = 1;
-        const ScallopField field(lift, tell, steps, plane.box(), options, {});
+        const FieldOfBall on(plane, 0.2, 1);
+        const ScallopField& field = on.field;
         std::vector<char> marks(field.size(), 0);
         std::vector<double> heights(field.size(), 0);
         const std::size_t top = field.nearest(Vec3(-6.4, -6.2, 0));
