@@ -59,6 +59,15 @@ std::string held_up_warning(const HeldOut& held, const PlanText& text) {
            + text(std::max(held.lack.shank, held.lack.holder)) + " longer would reach it";
 }
 
+void add_kept_from_warnings(const UncutReport& uncut, double area, const PassFilter& filter,
+                            const PlanContext& context, std::vector<std::string>& warnings) {
+    const PlanText text{context.unit, context.to_setup};
+    if (uncut.covered.height > 0) warnings.push_back(covered_warning(uncut.covered, area, text));
+    if (filter.held().left_length > 0) warnings.push_back(held_up_warning(filter.held(), text));
+    if (filter.beside_stock().left_length > 0)
+        warnings.push_back(beside_stock_warning(filter.beside_stock(), context));
+}
+
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result) {
     const PlanText text{w.context.unit, w.context.to_setup};
     auto& warnings = result.warnings;

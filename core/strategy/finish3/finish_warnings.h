@@ -3,6 +3,7 @@
 
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/finish3/left_stock.h"
+#include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/finish3/uncut.h"
 #include "core/strategy/plan/plan_text.h"
 
@@ -29,6 +30,10 @@ std::string covered_warning(const UncutPlaces& uncut, double area, const PlanTex
 std::string below_warning(double below, double area);
 /// What is said of passes that shank or holder keep from the part.
 std::string held_up_warning(const HeldOut& held, const PlanText& text);
+/// Adds what is said of surface that lies under the part itself, and of what shank, holder and what stands
+/// keep passes from.
+void add_kept_from_warnings(const UncutReport& uncut, double area, const PassFilter& filter,
+                            const PlanContext& context, std::vector<std::string>& warnings);
 
 /// Adds the warnings, and sets the largest cusp to what was measured.
 void add_finish_warnings(const FinishWarnings& w, StrategyResult& result);

@@ -99,9 +99,6 @@ private:
         const TipTouch touch = tell_(p, lift_.contact(p.x(), p.y()));
         return touch.any ? CutterContact{touch.point, touch.normal} : CutterContact{tip, Vec3::UnitZ()};
     }
-    std::size_t facets_of_part() const {
-        return context_.within ? context_.within->region->facets().size() : context_.part->facet_count();
-    }
 
     const ScallopSettings& settings_;
     const PlanContext& context_;
@@ -132,7 +129,7 @@ ScallopPlanner::ScallopPlanner(const ScallopSettings& settings, const PlanContex
       line_cusp_(line_cusp_share * std::max(cusp_allowed_ - chord_, 0.5 * cusp_allowed_)),
       profile_(context.tool.cutter()), cover_(profile_, cusp_detail(cusp_allowed_)),
       lift_(context.contact, profile_, allowance_),
-      tell_(context.contact, cover_, facets_of_part(), allowance_),
+      tell_(context.contact, cover_, facets_of_part(context), allowance_),
       steps_(cover_, line_cusp_, progress.part(0, 0)),
       filter_(settings, context, profile_,
               {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
@@ -389,13 +386,7 @@ void ScallopPlanner::begin_near_each_other() {
         std::size_t nearest = 0;
         for (std::size_t i = 0; i < pass.cl.size(); ++i)
             if ((pass.cl[i].tip - at).squaredNorm() < (pass.cl[nearest].tip - at).squaredNorm()) nearest = i;
-        const auto turn = [&](auto& list) {
-            list.pop_back();
-            std::rotate(list.begin(), list.begin() + std::ptrdiff_t(nearest % list.size()), list.end());
-            list.push_back(list.front());
-        };
-        turn(pass.cl);
-        turn(pass.cc);
+        begin_at(pass, nearest);
     }
 }
 
@@ -451,10 +442,7 @@ void ScallopPlanner::add_warnings() {
         warnings.push_back("the passes leave more than expected: " + surface_share(u, piece_.all)
                            + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
                            + ": choose a smaller tolerance or step-over");
-    if (uncut_.covered.height > 0) warnings.push_back(covered_warning(uncut_.covered, piece_.all, text_));
-    if (filter_.held().left_length > 0) warnings.push_back(held_up_warning(filter_.held(), text_));
-    if (const ClearOfStock& beside = filter_.beside_stock(); beside.left_length > 0)
-        warnings.push_back(beside_stock_warning(beside, context_));
+    add_kept_from_warnings(uncut_, piece_.all, filter_, context_, warnings);
     result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/mesh/refine.h"
+#include "core/strategy/surface/boundary_region.h"
 #include "core/strategy/surface/up_side.h"
 
 #include <cmath>
@@ -20,6 +21,10 @@ std::vector<double> facet_slopes(const Mesh& mesh, bool as_wound, const Mat3& tu
         slopes[f] = std::acos(std::clamp(n.z(), -1.0, 1.0));
     }
     return slopes;
+}
+
+std::size_t facets_of_part(const PlanContext& context) {
+    return context.within ? context.within->region->facets().size() : context.part->facet_count();
 }
 
 SlopePiece piece_between(const PlanContext& context, const Interval& slopes, const Progress& progress) {

@@ -14,6 +14,10 @@ namespace facetmill {
 /// upper side counts.
 std::vector<double> facet_slopes(const Mesh& mesh, bool as_wound, const Mat3& turn, const Progress& progress);
 
+/// How many facets of a context's contact index are those of its part, or of the piece that is cut; others
+/// follow them.
+std::size_t facets_of_part(const PlanContext& context);
+
 /// What of a part faces up (tolerance::vertical_normal_z) with a slope between two.
 struct SlopePiece {
     MeshPtr mesh;                            ///< null: nothing

@@ -119,13 +119,7 @@ private:
             std::reverse(pass.cl.begin(), pass.cl.end());
             std::reverse(pass.cc.begin(), pass.cc.end());
         } else if (begin.point > 0) {
-            const auto turn = [&](auto& list) {
-                list.pop_back();
-                std::rotate(list.begin(), list.begin() + std::ptrdiff_t(begin.point), list.end());
-                list.push_back(list.front());
-            };
-            turn(pass.cl);
-            turn(pass.cc);
+            begin_at(pass, begin.point);
         }
         return pass;
     }
@@ -143,6 +137,16 @@ private:
 
 bool is_closed(const Pass& pass) {
     return pass.cl.size() > 3 && pass.cl.front().tip == pass.cl.back().tip;
+}
+
+void begin_at(Pass& closed, std::size_t point) {
+    const auto turn = [&](auto& list) {
+        list.pop_back();
+        std::rotate(list.begin(), list.begin() + std::ptrdiff_t(point), list.end());
+        list.push_back(list.front());
+    };
+    turn(closed.cl);
+    turn(closed.cc);
 }
 
 void order_by_level(std::vector<Pass>& passes, double near, bool either_way, const Progress& progress) {

@@ -17,4 +17,7 @@ void order_by_level(std::vector<Pass>& passes, double near, bool either_way, con
 /// True for a pass that ends where it begins.
 bool is_closed(const Pass& pass);
 
+/// Turns a closed pass so that it begins, and ends, at a point of it: any but the last, which is the first.
+void begin_at(Pass& closed, std::size_t point);
+
 } // namespace facetmill

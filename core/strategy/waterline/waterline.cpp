@@ -74,10 +74,6 @@ private:
     double lowest_ = -infinity;
 };
 
-std::size_t facets_of_part(const PlanContext& context) {
-    return context.within ? context.within->region->facets().size() : context.part->facet_count();
-}
-
 WaterlinePlanner::WaterlinePlanner(const WaterlineSettings& settings, const PlanContext& context,
                                    const Progress& progress)
     : settings_(settings), context_(context), progress_(progress), text_{context.unit, context.to_setup},
@@ -247,10 +243,7 @@ void WaterlinePlanner::add_warnings() {
         warnings.push_back("the levels leave more than expected: " + surface_share(u, steep_.all)
                            + " stays uncut by up to " + text_(u.height) + ", most at " + text_(u.at)
                            + ": choose a smaller step-down, or wider slope limits");
-    if (uncut_.covered.height > 0) warnings.push_back(covered_warning(uncut_.covered, steep_.all, text_));
-    if (filter_.held().left_length > 0) warnings.push_back(held_up_warning(filter_.held(), text_));
-    if (const ClearOfStock& beside = filter_.beside_stock(); beside.left_length > 0)
-        warnings.push_back(beside_stock_warning(beside, context_));
+    add_kept_from_warnings(uncut_, steep_.all, filter_, context_, warnings);
     result_.cusp_max = std::max(result_.cusp_max, uncut_.passed_by.height);
 }
 
