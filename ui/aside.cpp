@@ -21,7 +21,7 @@ class AsideThread {
 public:
     AsideThread() {
         std::thread([this] { run(); }).detach();
-        qAddPostRoutine(finish_aside);
+        qAddPostRoutine([] { finish_aside(); });
     }
     void add(std::function<void()> work) {
         {
@@ -33,6 +33,10 @@ public:
     void finish() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return waiting_.empty() && !working_; });
+    }
+    bool finish(std::chrono::milliseconds at_most) {
+        std::unique_lock lock(mutex_);
+        return changed_.wait_for(lock, at_most, [this] { return waiting_.empty() && !working_; });
     }
 
 private:
@@ -73,6 +77,10 @@ void do_aside(std::function<void()> work) {
 
 void finish_aside() {
     aside_thread().finish();
+}
+
+bool finish_aside(std::chrono::milliseconds at_most) {
+    return aside_thread().finish(at_most);
 }
 
 void let_go(std::shared_ptr<const void> thing) {

@@ -1,7 +1,8 @@
-// Small work that nobody waits for, in one thread aside from the window's: what a disk or the freeing of a
-// large thing would hold up there.
+// Small work that the window does not wait for, in one thread aside from its own: what a disk or the freeing
+// of a large thing would hold up there.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -13,6 +14,8 @@ void do_aside(std::function<void()> work);
 
 /// Returns when all is done that was handed over before.
 void finish_aside();
+/// The same, but waits no longer than so: false when something is left to do.
+bool finish_aside(std::chrono::milliseconds at_most);
 
 /// Gives a large thing up where freeing it holds up nobody: a little later, when others that have it too,
 /// such as what is shown of it, have let go of it.

@@ -1,16 +1,20 @@
 #include "ui/autosave.h"
 
+#include "ui/aside.h"
 #include "ui/messages.h"
 #include "ui/project_files.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
+#include <exception>
+#include <utility>
 
 namespace facetmill::ui {
 
@@ -49,7 +53,7 @@ Autosave::Autosave(Document& document, BackgroundJob& job, ProjectFiles& files, 
     connect(&job, &BackgroundJob::started, this, &Autosave::keep);
     connect(&document_, &Document::opened, this, [this] {
         discard(); // the project that was there before
-        kept_ = std::move(restored_);
+        if (restored_) place_ = std::make_shared<Place>(Place{std::move(restored_)});
         follow();
     });
     connect(&document_, &Document::changed, this, &Autosave::follow);
@@ -58,6 +62,7 @@ Autosave::Autosave(Document& document, BackgroundJob& job, ProjectFiles& files, 
 
 Autosave::~Autosave() {
     discard();
+    finish_aside();
 }
 
 void Autosave::follow() {
@@ -69,26 +74,44 @@ void Autosave::follow() {
 void Autosave::keep() {
     timer_.stop();
     if (!due_) return;
-    try {
-        if (!kept_) kept_ = KeptWork::make();
-        kept_->write(document_.project(), document_.name());
-        due_ = told_ = false;
-    } catch (const Error& e) {
-        if (!told_)
-            messages_.warning(
-                tr("What is not saved cannot be kept for the case of a crash: %1. Save the project.")
-                    .arg(worded(e)));
-        told_ = true;
-        timer_.start(); // there may be room by then
-    }
+    due_ = false;
+    if (!place_) place_ = std::make_shared<Place>();
+    do_aside([this, place = place_, name = document_.name(),
+              project = std::make_shared<const Project>(document_.project())] {
+        QString why;
+        try {
+            if (!place->work) place->work = KeptWork::make();
+            place->work->write(*project, name);
+        } catch (const std::exception& e) {
+            why = worded(std::string_view(e.what()));
+        }
+        QMetaObject::invokeMethod(
+            this, [this, why] { why.isEmpty() ? void(told_ = false) : failed(why); }, Qt::QueuedConnection);
+    });
+}
+
+void Autosave::failed(const QString& why) {
+    if (!told_)
+        messages_.warning(
+            tr("What is not saved cannot be kept for the case of a crash: %1. Save the project.").arg(why));
+    told_ = true;
+    if (!document_.modified()) return;
+    due_ = true;
+    if (!timer_.isActive()) timer_.start(); // there may be room by then
 }
 
 void Autosave::discard() {
     timer_.stop();
     due_ = false;
-    if (!kept_) return;
-    kept_->remove();
-    kept_ = nullptr;
+    if (!place_) return;
+    do_aside([place = std::exchange(place_, nullptr)] {
+        if (place->work) place->work->remove();
+    });
+}
+
+void Autosave::finish() {
+    finish_aside();
+    QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
 }
 
 bool Autosave::offer(const QString& first) {

@@ -1,9 +1,11 @@
 #include "ui/background_job.h"
 
 #include "core/base/parallel.h"
+#include "ui/aside.h"
 #include "ui/text.h"
 #include "ui/worded.h"
 
+#include <chrono>
 #include <new>
 
 namespace facetmill::ui {
@@ -21,6 +23,9 @@ namespace {
 /// Calls the work and tells how it ended; nothing that it throws gets past here.
 JobEnd run_guarded(const BackgroundJob::Work& work, Job& job) {
     try {
+        // What is not saved is on the disk before work begins that might bring the program down.
+        while (!finish_aside(std::chrono::milliseconds(20)))
+            Progress(job).check();
         work(Progress(job));
         // A result that came too late is one the user has already given up.
         return {job.cancelled() ? JobEnd::How::cancelled : JobEnd::How::done, {}};

@@ -120,7 +120,7 @@ void Document::clear() {
     open(Project(), QString(), false);
 }
 
-void Document::saved(const Project& written) {
+void Document::saved(const Project& written, bool as_it_is) {
     // Part and stock are the same files under other names: what was read from them stays current.
     const bool current = part_is_current();
     const auto for_each_result = [this](const auto& take) {
@@ -144,7 +144,7 @@ void Document::saved(const Project& written) {
         if (good.count(id)) record.fingerprint = now;
     });
     never_saved_ = false;
-    undo_.setClean();
+    as_it_is ? undo_.setClean() : undo_.resetClean();
     files_.watch(files_of(project_));
     emit modified_changed();
     emit changed();

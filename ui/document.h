@@ -52,8 +52,9 @@ public:
     /// path; `unsaved` makes it modified from the start (work that was lost and found again).
     void open(Project project, const QString& name, bool unsaved);
     void clear();
-    /// After the project was written as it is now, but with this path and these files.
-    void saved(const Project& written);
+    /// After the project was written, with this path and these files, as it is now or, where it has been
+    /// changed since, as it was.
+    void saved(const Project& written, bool as_it_is = true);
 
     /// Changes a copy of the project by `edit` and takes it as one step of the history. Where `edit` throws
     /// nothing changes.

@@ -367,7 +367,7 @@ void MainWindow::show_place() {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || controllers_->busy() || !viewport_->finished();
+    return job_.running() || controllers_->busy() || files_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

@@ -15,6 +15,7 @@
 #include "ui/messages.h"
 #include "ui/operation_list.h"
 #include "ui/part_dialog.h"
+#include "ui/project_saving.h"
 #include "ui/properties_panel.h"
 #include "ui/scan_words.h"
 #include "ui/settings.h"
@@ -40,29 +41,6 @@ QString unended_name(const Document& document) {
     return path.empty() ? document.name() : path_text(path.stem());
 }
 
-/// Copies `from` into `folder` unless the same bytes are there already; a name that is taken by other bytes
-/// gets a number.
-std::filesystem::path copy_beside(const std::filesystem::path& from, const std::filesystem::path& folder) {
-    const InputFile source(from);
-    for (int n = 1;; ++n) {
-        std::filesystem::path to = folder / from.filename();
-        if (n > 1)
-            to.replace_filename(from.stem().string() + "-" + std::to_string(n) + from.extension().string());
-        if (std::filesystem::exists(to)) {
-            try {
-                if (InputFile(to).bytes() == source.bytes()) return to;
-            } catch (const Error&) {
-                // unreadable, empty or a folder: another file that keeps its name
-            }
-            continue;
-        }
-        OutputFile out(to);
-        out.write(source.bytes());
-        out.commit();
-        return to;
-    }
-}
-
 } // namespace
 
 ProjectFiles::ProjectFiles(Document& document, std::shared_ptr<Planner> planner, BackgroundJob& job,
@@ -72,11 +50,21 @@ ProjectFiles::ProjectFiles(Document& document, std::shared_ptr<Planner> planner,
       part_(part), properties_(properties), tree_(tree), window_(window),
       sample_folder_(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)
                      + QStringLiteral("/samples")),
-      autosave_(std::make_unique<Autosave>(document, job, *this, messages, window)) {}
+      autosave_(std::make_unique<Autosave>(document, job, *this, messages, window)),
+      saving_(new ProjectSaving(document, messages, properties, path_of(sample_folder_), window)) {
+    saving_->setParent(this);
+    connect(saving_, &ProjectSaving::saved, this, &ProjectFiles::renamed);
+    connect(saving_, &ProjectSaving::settled, this, &ProjectFiles::settled);
+}
 
 ProjectFiles::~ProjectFiles() = default;
 
+bool ProjectFiles::busy() const {
+    return saving_->busy();
+}
+
 bool ProjectFiles::may_discard() {
+    saving_->finish();
     if (!document_.has_part() || !document_.modified()) return true;
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("Save the changes to “%1”?").arg(elided(document_.name(), 60)),
@@ -375,62 +363,17 @@ void ProjectFiles::new_from_sample(const std::string& name) {
 }
 
 bool ProjectFiles::save() {
-    if (document_.project().path.empty()) return save_as();
-    return save_to(path_text(document_.project().path));
-}
-
-QString ProjectFiles::chosen_project_name(const QString& title, const QString& start) {
-    QFileDialog dialog(window_, title, QFileInfo(start).absolutePath(),
-                       tr("Facetmill projects (*.facetmill)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("facetmill")); // before the question whether to replace
-    dialog.selectFile(QFileInfo(start).fileName());
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-    return dialog.selectedFiles().front();
-}
-
-bool ProjectFiles::save_as() {
-    const QString name = document_.name();
-    const QString start = document_.project().path.empty()
-                              ? settings::last_folder() + QChar('/') + name + QStringLiteral(".facetmill")
-                              : path_text(document_.project().path);
-    const QString path = chosen_project_name(tr("Save project"), start);
-    return !path.isEmpty() && save_to(path);
+    return saving_->save() && saving_->finish();
 }
 
 bool ProjectFiles::save_to(const QString& path) {
-    if (!document_.has_part()) return false;
-    if (!properties_.commit()) {
-        messages_.warning(tr("A parameter is not valid: correct it before the project is saved."));
-        return false;
-    }
-    try {
-        const std::filesystem::path target = path_of(QFileInfo(path).absoluteFilePath());
-        keep_program(document_, target);
-        Project copy = document_.project();
-        const std::filesystem::path part = copy.part_path();
-        move_project(copy, target);
-        // A sample lies among the program's own files: the project takes it along.
-        if (part.parent_path() == path_of(sample_folder_) && !is_missing(part))
-            copy.part.file = copy_beside(part, target.parent_path()).filename().string();
-        save_project(copy, target);
-        document_.saved(copy);
-    } catch (const Error& e) {
-        messages_.fail(worded(e));
-        return false;
-    }
-    settings::add_recent_file(QFileInfo(path).absoluteFilePath());
-    settings::set_last_folder(QFileInfo(path).absolutePath());
-    messages_.dismiss();
-    messages_.information(tr("Saved %1.").arg(path), false);
-    emit renamed();
-    return true;
+    return saving_->save_to(path) && saving_->finish();
 }
 
 void ProjectFiles::save_packed_with_dialog() {
     const QString start =
         settings::last_folder() + QChar('/') + unended_name(document_) + QStringLiteral("-packed.facetmill");
-    const QString path = chosen_project_name(tr("Save packed copy"), start);
+    const QString path = ask_project_name(window_, tr("Save packed copy"), start);
     if (!path.isEmpty()) save_packed_to(path);
 }
 

@@ -13,6 +13,7 @@ namespace facetmill::ui {
 
 class Autosave;
 class Messages;
+class ProjectSaving;
 class PropertiesPanel;
 
 class ProjectFiles : public QObject {
@@ -41,10 +42,12 @@ public:
     void open_program_with_dialog();
     /// Shows CL files, which run one after the other, in place of the plan.
     void open_program(const QStringList& files);
+    /// Saves aside from the window.
+    ProjectSaving& saving() { return *saving_; }
+    /// The same, and waits for it. False when that failed, with the reason in the window.
     bool save();
-    bool save_as();
-    /// False when that failed, with the reason in the window.
     bool save_to(const QString& path);
+    bool busy() const;
     void save_packed_with_dialog();
     /// Packs a copy of the project in the background; the project itself stays where it is.
     void save_packed_to(const QString& path);
@@ -65,8 +68,6 @@ private:
     /// Asks for a folder, unpacks there and opens what was unpacked.
     void open_packed(const std::filesystem::path& path);
     void unpack(const std::filesystem::path& path, const std::filesystem::path& folder);
-    /// The file to save to, empty where the user gives up.
-    QString chosen_project_name(const QString& title, const QString& start);
     void show_project(Project project, const QString& name, bool unsaved);
     void open_mesh(const std::filesystem::path& path, std::optional<LengthUnit> unit);
     void read_mesh(const std::filesystem::path& path, LengthUnit unit, std::function<void(LoadedPart)> then);
@@ -85,6 +86,7 @@ private:
     QWidget* window_;
     QString sample_folder_;
     std::unique_ptr<Autosave> autosave_;
+    ProjectSaving* saving_;
 };
 
 } // namespace facetmill::ui

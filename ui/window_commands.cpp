@@ -17,6 +17,7 @@
 #include "ui/preferences_dialog.h"
 #include "ui/program_export.h"
 #include "ui/project_files.h"
+#include "ui/project_saving.h"
 #include "ui/properties_panel.h"
 #include "ui/scan_controller.h"
 #include "ui/settings.h"
@@ -97,13 +98,13 @@ void add_file_commands(Commands& commands, MainWindow& w) {
                   tr("&Save"),
                   Icon::save,
                   {QKeySequence(QKeySequence::Save)},
-                  [&] { files.save(); },
+                  [&] { files.saving().save(); },
                   has_part});
     commands.add({"save_as",
                   tr("Save &as…"),
                   {},
                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-                  [&] { files.save_as(); },
+                  [&] { files.saving().save_as(); },
                   has_part});
     commands.add({"save_packed",
                   tr("Save pac&ked copy…"),
@@ -228,7 +229,7 @@ void add_plan_commands(Commands& commands, MainWindow& w) {
                   {},
                   tr("Find out which tools and settings serve best: many are planned and verified (S)")});
     QObject::connect(&w.controllers().study(), &StudyController::save_wanted, &w.files(),
-                     [&w] { w.files().save(); });
+                     [&w] { w.files().saving().save(); });
     commands.add({"cancel",
                   tr("&Cancel"),
                   Icon::cancel,

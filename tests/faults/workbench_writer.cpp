@@ -135,6 +135,7 @@ QString run(const QStringList& words) {
             p.tools.push_back(tool);
         });
         window.files().autosave().keep();
+        window.files().autosave().finish();
         if (window.message_bar().message().contains(QStringLiteral("cannot be kept"))) std::_Exit(1);
         say(std::to_string(change).c_str());
     }

@@ -1,7 +1,9 @@
 // Work that is not saved: kept while the window lives, offered when it did not end in order.
+#include "tests/screenshot/slow_disk.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/autosave.h"
 #include "ui/message_bar.h"
+#include "ui/project_saving.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
 #include "ui/text.h"
@@ -67,6 +69,11 @@ class TestWindowAutosave : public QObject, private WindowFixture {
     QString folder_;
 
     QString job() const { return folder_ + QStringLiteral("/job.facetmill"); }
+    /// And waits until it is on the disk.
+    void keep() {
+        w().files().autosave().keep();
+        w().files().autosave().finish();
+    }
     double tolerance() { return first_operation(w()).tolerance / mm_per_inch; }
     void set_tolerance(double inches) {
         w().document().change(QStringLiteral("Edit"), [inches](Project& p) {
@@ -116,14 +123,14 @@ private slots:
         const QByteArray saved = bytes_of(job());
         QVERIFY(QFile::setPermissions(job(), QFile::ReadOwner | QFile::WriteOwner));
         QVERIFY(kept_beside(folder_).isEmpty());
-        w().files().autosave().keep();
+        keep();
         QCOMPARE(kept_beside(folder_).size(), 1);
         const QString kept = folder_ + QChar('/') + kept_beside(folder_).front();
         QVERIFY(kept.startsWith(folder_ + QStringLiteral("/job.autosave-")));
         // Nobody may read it who may not read the project.
         QVERIFY(!(QFile::permissions(kept) & (QFile::ReadOther | QFile::ReadGroup)));
         const QByteArray bytes = bytes_of(kept);
-        w().files().autosave().keep(); // nothing has changed since
+        keep(); // nothing has changed since
         QCOMPARE(bytes_of(kept), bytes);
         kill();
 
@@ -157,6 +164,7 @@ private slots:
         QVERIFY(w().files().autosave().offer());
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().files().save());
+        w().files().autosave().finish();
         QVERIFY(kept_beside(folder_).isEmpty() && kept_at_home().isEmpty());
         QVERIFY(!w().files().autosave().offer());
     }
@@ -166,7 +174,7 @@ private slots:
         folder_ = scratch_folder(QStringLiteral("unnamed"));
         set_tolerance(edited_tolerance);
         const QString name = w().document().name();
-        w().files().autosave().keep();
+        keep();
         QCOMPARE(kept_at_home().size(), 2); // and the record
         QVERIFY(!(QFile::permissions(data_folder()) & (QFile::ReadOther | QFile::ReadGroup)));
         kill();
@@ -181,6 +189,7 @@ private slots:
         QVERIFY(w().document().modified() && w().document().part_is_current());
         QCOMPARE(tolerance(), edited_tolerance);
         QVERIFY(w().files().save_to(job()));
+        w().files().autosave().finish();
         QVERIFY(kept_at_home().isEmpty());
     }
 
@@ -188,7 +197,8 @@ private slots:
         QCOMPARE(ui::settings::autosave_interval(), std::chrono::seconds(30));
         QVERIFY(save_and_edit(QStringLiteral("when")));
         w().plan();
-        QCOMPARE(kept_beside(folder_).size(), 1); // before anything was planned
+        w().files().autosave().finish();
+        QCOMPARE(kept_beside(folder_).size(), 1);
         QVERIFY(wait_until_settled(w()));
         const QString kept = folder_ + QChar('/') + kept_beside(folder_).front();
         const QByteArray bytes = bytes_of(kept);
@@ -201,31 +211,34 @@ private slots:
 
     void gone_when_saved_undone_or_closed() {
         QVERIFY(save_and_edit(QStringLiteral("gone")));
-        const auto keep = [&] {
-            w().files().autosave().keep();
+        const auto kept = [&] {
+            keep();
             return kept_beside(folder_).size() == 1 && !kept_at_home().isEmpty();
         };
-        const auto nothing = [&] { return kept_beside(folder_).isEmpty() && kept_at_home().isEmpty(); };
-        QVERIFY(keep());
+        const auto nothing = [&] {
+            w().files().autosave().finish();
+            return kept_beside(folder_).isEmpty() && kept_at_home().isEmpty();
+        };
+        QVERIFY(kept());
         w().document().undo_stack().undo();
         QVERIFY(nothing());
         w().document().undo_stack().redo();
-        QVERIFY(keep());
+        QVERIFY(kept());
         QVERIFY(w().files().save());
         QVERIFY(nothing());
         set_tolerance(0.025);
-        QVERIFY(keep());
+        QVERIFY(kept());
         QVERIFY(w().files().save_to(folder_ + QStringLiteral("/other.facetmill")));
         QVERIFY(nothing());
         set_tolerance(edited_tolerance);
-        QVERIFY(keep());
+        QVERIFY(kept());
         bool asked = false;
         answer_next(QMessageBox::Discard, asked);
         w().open_file(job());
         QVERIFY(asked && wait_until_settled(w()));
         QVERIFY(nothing());
         set_tolerance(edited_tolerance);
-        QVERIFY(keep());
+        QVERIFY(kept());
         asked = false;
         answer_next(QMessageBox::Cancel, asked);
         w().close();
@@ -237,16 +250,17 @@ private slots:
 
     void windows_keep_to_their_own() {
         QVERIFY(save_and_edit(QStringLiteral("several")));
-        w().files().autosave().keep();
+        keep();
         const std::unique_ptr<ui::MainWindow> first = std::move(window_);
         QVERIFY(show_window());
         w().open_file(job());
         QVERIFY(wait_until_settled(w()));
         QVERIFY(!w().files().autosave().offer()); // the first one lives
         set_tolerance(0.025);
-        w().files().autosave().keep();
+        keep();
         QCOMPARE(kept_beside(folder_).size(), 2);
         QVERIFY(w().files().save());
+        w().files().autosave().finish();
         QCOMPARE(kept_beside(folder_).size(), 1); // the first one's
         const Project kept =
             load_project((folder_ + QChar('/') + kept_beside(folder_).front()).toStdString());
@@ -255,14 +269,14 @@ private slots:
 
     void discarded_and_the_next_one_restored() {
         QVERIFY(save_and_edit(QStringLiteral("two")));
-        w().files().autosave().keep();
+        keep();
         kill();
         QVERIFY(show_window());
         w().open_file(job());
         QVERIFY(wait_until_settled(w()));
         set_tolerance(0.025);
         QTest::qWait(20); // later than the first
-        w().files().autosave().keep();
+        keep();
         kill();
         QCOMPARE(kept_beside(folder_).size(), 2);
         // The project was saved again in the meantime.
@@ -286,7 +300,7 @@ private slots:
     void nowhere_beside_the_project() {
         QVERIFY(save_and_edit(QStringLiteral("away")));
         QVERIFY(QDir().rename(folder_, folder_ + QStringLiteral(".away")));
-        w().files().autosave().keep();
+        keep();
         QCOMPARE(kept_at_home().size(), 2);
         QVERIFY(QDir().rename(folder_ + QStringLiteral(".away"), folder_));
         kill();
@@ -300,28 +314,79 @@ private slots:
         QCOMPARE(tolerance(), edited_tolerance);
         // Neither there: said once, and tried again.
         w().files().autosave().discard();
+        w().files().autosave().finish();
         QVERIFY(QDir().rename(folder_, folder_ + QStringLiteral(".away")));
         QDir(data_folder()).removeRecursively();
         QFile in_the_way(data_folder());
         QVERIFY(in_the_way.open(QIODevice::WriteOnly));
         w().message_bar().dismiss();
         set_tolerance(0.025);
-        w().files().autosave().keep();
+        keep();
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("cannot be kept")),
                  qPrintable(w().message_bar().message()));
         w().message_bar().dismiss();
         set_tolerance(0.026);
-        w().files().autosave().keep();
+        keep();
         QVERIFY(w().message_bar().message().isEmpty());
         QVERIFY(in_the_way.remove());
         QVERIFY(QDir().rename(folder_ + QStringLiteral(".away"), folder_));
-        w().files().autosave().keep();
+        keep();
         QCOMPARE(kept_beside(folder_).size(), 1);
+    }
+
+    void a_slow_disk_holds_up_nobody() {
+        QVERIFY(save_and_edit(QStringLiteral("slow")));
+        ui::ProjectSaving& saving = w().files().saving();
+        const auto saved = [&] {
+            return load_project(job().toStdString()).operations[0]->common().tolerance / mm_per_inch;
+        };
+        w().tree().select({TreeNode::Kind::operation, 0});
+        StandingDisk disk;
+        w().files().autosave().keep();
+        action(w(), "save")->trigger();
+        QTRY_COMPARE(StandingDisk::waiting(), 1);
+        // It takes what is typed, and says what it waits for, and that nothing is saved yet.
+        enter(w(), "tolerance", QStringLiteral("0.025"));
+        QCOMPARE(tolerance(), 0.025);
+        QTRY_VERIFY2(w().message_bar().message().contains(QStringLiteral("Saving")),
+                     qPrintable(w().message_bar().message()));
+        QVERIFY(saving.busy() && w().document().modified() && w().windowTitle().contains(QChar('*')));
+        QCOMPARE(saved(), saved_tolerance);
+        // Saved again: the later state is written later. Planning waits for what is kept.
+        action(w(), "save")->trigger();
+        enter(w(), "tolerance", QStringLiteral("0.035"));
+        w().plan();
+        QVERIFY(!QTest::qWaitFor([&] { return w().document().all_planned(); }, 200));
+        QVERIFY(w().job().running() && saving.busy());
+        disk.go_on();
+        QTRY_VERIFY(!saving.busy());
+        QCOMPARE(saved(), 0.025);
+        QCOMPARE(tolerance(), 0.035);
+        QVERIFY(w().document().modified() && w().message_bar().message().isEmpty());
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().all_planned());
+        w().files().autosave().finish();
+        QCOMPARE(kept_beside(folder_).size(), 1);
+
+        // What cannot be written is said, and stays unsaved.
+        QVERIFY(saving.save_to(folder_ + QStringLiteral("/none/job.facetmill")));
+        QVERIFY(!saving.finish());
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("none/job.facetmill")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(w().document().modified());
+        QCOMPARE(ui::path_text(w().document().project().path), job());
+
+        // Closing waits for what was begun, and has nothing to ask then.
+        StandingDisk again;
+        action(w(), "save")->trigger();
+        QTimer::singleShot(50, &w(), [&] { again.go_on(); });
+        QVERIFY(w().close());
+        QCOMPARE(saved(), 0.035);
     }
 
     void what_cannot_be_read_stays() {
         QVERIFY(save_and_edit(QStringLiteral("broken")));
-        w().files().autosave().keep();
+        keep();
         const QString kept = folder_ + QChar('/') + kept_beside(folder_).front();
         kill();
         QFile file(kept);
