@@ -61,6 +61,8 @@ public:
             auto* line = new QLineEdit(this);
             line->setObjectName(text(info.key) + (parts > 1 ? QString::number(i) : QString()));
             line->setMinimumWidth(parts > 1 ? 32 : 60);
+            // Three beside one another have hardly room for six figures each.
+            if (parts > 2) line->setTextMargins(-2, 0, -2, 0);
             line->setMaxLength(200);
             connect(line, &QLineEdit::textEdited, this, [this] {
                 touched_ = true;
@@ -99,12 +101,20 @@ public:
             line->setText(shown[i]);
             line->setCursorPosition(at);
         }
+        shown_ = shown;
+        exact_.clear();
+        if (const auto* t = std::get_if<std::array<double, 3>>(&value)) keep_exact(*t, unit);
+        if (const auto* p = std::get_if<std::array<double, 2>>(&value)) keep_exact(*p, unit);
     }
     QString entered() const override {
-        // Of several fields each has its own decimal mark: a comma goes between them.
+        if (lines_.size() == 1) return lines_.front()->text();
+        // Each field has its own decimal mark: a comma goes between them. What was not typed stays as it is,
+        // to the last digit.
         QStringList parts;
-        for (const auto* line : lines_)
-            parts << (lines_.size() > 1 ? with_decimal_point(line->text(), info_.key) : line->text());
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            parts << (i < exact_.size() && lines_[i]->text() == shown_[i]
+                          ? exact_[i]
+                          : with_decimal_point(lines_[i]->text(), info_.key));
         return parts.join(QStringLiteral(", "));
     }
     bool touched() const override { return touched_; }
@@ -114,8 +124,17 @@ public:
     }
 
 private:
+    template <std::size_t N>
+    void keep_exact(const std::array<double, N>& values, LengthUnit unit) {
+        constexpr int exact_digits = 17;
+        for (const double v : values)
+            exact_.push_back(text(format_number(v / info_.scale(unit), exact_digits)));
+    }
+
     const ParameterInfo& info_;
     std::vector<QLineEdit*> lines_;
+    std::vector<QString> shown_; ///< by the lines
+    std::vector<QString> exact_; ///< the same, whole, where they are several numbers
     bool touched_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "ui/icons.h"
 #include "ui/place_value.h"
 #include "ui/text.h"
+#include "ui/value_words.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -339,9 +340,7 @@ void PlacePanel::show_box(const Box3& box, LengthUnit unit, double scale) {
                        ? tr("Size: %1").arg(size_text(size, unit, 5))
                        : tr("Size: %1, scaled by %2").arg(size_text(size, unit, 5), number_text(scale, 6)));
     QString rows;
-    const auto number = [&](double mm) {
-        return number_text(std::abs(mm) < 1e-9 ? 0 : mm / mm_per(unit), 6);
-    };
+    const auto number = [&](double mm) { return position_text(mm, unit); };
     for (int k = 0; k < 3; ++k)
         rows += QStringLiteral("<tr><td>%1</td><td align=\"right\" style=\"padding-left:10px\">%2</td>"
                                "<td style=\"padding:0 6px\">%3</td><td align=\"right\">%4</td></tr>")

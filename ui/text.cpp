@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill::ui {
@@ -164,7 +165,11 @@ QString with_lengths_in(const QString& message, LengthUnit unit) {
         const double mm = match.captured(1).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
         // What is less than the least that is said in one unit is less than that of the other.
         const bool less = match.captured(0).startsWith(QChar('<'));
-        result += in_user_numbers(text(length_text(less ? mm / 2 : mm, unit, 5)));
+        // Ten-thousandths of an inch, as one measures; three digits at least.
+        constexpr int min_digits = 3, decimals = 4;
+        const double size = std::max(std::abs(mm / mm_per(unit)), 1e-9);
+        const int digits = std::max(min_digits, int(std::floor(std::log10(size))) + 1 + decimals);
+        result += in_user_numbers(text(length_text(less ? mm / 2 : mm, unit, digits)));
         from = match.capturedEnd();
     }
     return result + message.mid(from);

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace facetmill::ui {
@@ -79,13 +80,28 @@ QString with_shown_words(const ParameterInfo& info, const QString& sentence) {
 }
 
 QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit) {
-    constexpr int all_digits = 7, few_digits = 5, round_digits = 4;
+    constexpr int all_digits = 9, few_digits = 4, decimals_of_others = 4;
     const double value = core_value / info.scale(unit);
-    const double other = core_value / info.scale(unit == LengthUnit::mm ? LengthUnit::inch : LengthUnit::mm);
-    const auto is_round = [](double v) {
-        return std::abs(std::stod(format_number(v, round_digits)) - v) <= 1e-12 * std::abs(v);
-    };
-    return number_text(value, !is_round(value) && is_round(other) ? few_digits : all_digits);
+    const double nearest = std::stod(format_number(value, all_digits));
+    if (std::abs(nearest - value) <= 1e-12 * std::abs(value)) return number_text(value, all_digits);
+    const int decimals = info.quantity == Quantity::length ? position_decimals(unit) : decimals_of_others;
+    const int digits = int(std::floor(std::log10(std::abs(value)))) + 1 + decimals;
+    return number_text(value, std::clamp(digits, few_digits, all_digits));
+}
+
+int position_decimals(LengthUnit unit) {
+    return unit == LengthUnit::inch ? 4 : 3;
+}
+
+QString position_text(double mm, LengthUnit unit) {
+    const double value = mm / mm_per(unit);
+    const int whole = value == 0 ? 0 : int(std::floor(std::log10(std::abs(value)))) + 1;
+    const int digits = whole + position_decimals(unit);
+    return number_text(digits < 1 ? 0 : value, std::max(digits, 1));
+}
+
+QString clause_mark() {
+    return QObject::tr("; ", "between clauses");
 }
 
 } // namespace facetmill::ui

@@ -17,8 +17,17 @@ QString shown_count(const ParameterInfo& info, const ParameterValue& value);
 /// A sentence about the parameter, such as its help, with its words as fields show them.
 QString with_shown_words(const ParameterInfo& info, const QString& sentence);
 
-/// A number for a field, in the edge's unit: what is round in the other unit (2 mm in a project in inches)
-/// has five digits, others have at most seven. What the user does not touch keeps all its digits.
+/// A number for a field, in the edge's unit. What was typed is round, and stays as it is. What was worked
+/// out, or typed in the other unit (2 mm in a project in inches), has the digits that mean something: of
+/// lengths the decimals of a position, and four digits at least. What the user does not touch keeps all its
+/// digits.
 QString shown_number(double core_value, const ParameterInfo& info, LengthUnit unit);
+
+/// "-3.141": where something is, in the unit of the project, as finely as one measures there.
+QString position_text(double mm, LengthUnit unit);
+/// How many decimals that are: thousandths of a millimetre, ten-thousandths of an inch.
+int position_decimals(LengthUnit unit);
+/// What stands between clauses that are put one after the other: "; ".
+QString clause_mark();
 
 } // namespace facetmill::ui

@@ -45,9 +45,10 @@ private:
         f.name = free_fixture_name(project_, name);
         f.unit = project_.unit;
         f.clearance = (project_.unit == LengthUnit::inch ? usual_clearance_inch : usual_clearance_mm) * per_;
-        // Where a stock ends is rarely a round number; a micrometre is as near as anyone holds it.
+        // Where a stock ends is rarely a round number; this is as near as anyone holds it.
+        const double step = project_.unit == LengthUnit::inch ? 1e-4 * per_ : 1e-3;
         for (int k = 0; k < 3; ++k)
-            f.translate[std::size_t(k)] = std::round(bottom[k] * 1e3) * 1e-3;
+            f.translate[std::size_t(k)] = std::round(bottom[k] / step) * step;
         return f;
     }
     const Project& project_;

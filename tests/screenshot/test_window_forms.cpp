@@ -359,13 +359,13 @@ private slots:
         QCOMPARE(ui::with_lengths_in(message, LengthUnit::mm), message);
         QCOMPARE(ui::with_lengths_in(message, LengthUnit::inch),
                  QStringLiteral(
-                     "the tip goes 1 in below -0.5 in at 100 mm/min in 5 mm² of T1.5 mm, 0.00003937 in"));
+                     "the tip goes 1 in below -0.5 in at 100 mm/min in 5 mm² of T1.5 mm, 0.0000394 in"));
     }
     void figures_have_a_floor_in_every_unit() {
         QCOMPARE(ui::shown_length(2e-6, LengthUnit::mm), QStringLiteral("< 0.0001\u00a0mm"));
         QCOMPARE(ui::shown_length(2e-6, LengthUnit::inch), QStringLiteral("< 0.00001\u00a0in"));
         QCOMPARE(ui::with_lengths_in(QStringLiteral("up to < 0.0001 mm, < 5 mm"), LengthUnit::inch),
-                 QStringLiteral("up to < 0.00001 in, < 0.19685 in"));
+                 QStringLiteral("up to < 0.00001 in, < 0.1969 in"));
         QCOMPARE(ui::shown_area(0.0434, LengthUnit::inch), QStringLiteral("< 0.0001\u00a0in²"));
         QCOMPARE(ui::shown_area(64.516, LengthUnit::inch), QStringLiteral("0.1\u00a0in²"));
         QCOMPARE(ui::percent_text(3e-7), QStringLiteral("< 0.01 %"));
