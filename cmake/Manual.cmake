@@ -6,7 +6,7 @@ facetmill_link_rooms(make_manual base)
 facetmill_reuse_core_header(make_manual)
 
 set(resources ${PROJECT_SOURCE_DIR}/resources)
-file(GLOB manual_sources CONFIGURE_DEPENDS ${resources}/manual/* ${resources}/manual/*/* ${resources}/languages/*.ts ${resources}/drawings/* ${resources}/pictures/manual/*.png)
+file(GLOB manual_sources CONFIGURE_DEPENDS ${resources}/manual/* ${resources}/manual/*/* ${resources}/languages/*.ts ${resources}/drawings/* ${resources}/pictures/manual/*.png ${resources}/pictures/manual/*/*.png)
 set(FACETMILL_MANUAL ${PROJECT_BINARY_DIR}/manual)
 # Files that say the same stay as they are: the stamp tells the build that it has looked.
 add_custom_command(OUTPUT ${FACETMILL_MANUAL}.stamp VERBATIM

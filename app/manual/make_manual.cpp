@@ -131,8 +131,15 @@ void make(const fs::path& resources, const fs::path& folder) {
     };
     add(copy_folder(resources / "pictures/manual", folder / "pictures", ".png", {}));
     add(write_pages(resources, folder, Words()));
-    for (const std::string& language : manual_languages(resources))
+    for (const std::string& language : manual_languages(resources)) {
         add(write_pages(resources, folder, Words(resources, language)));
+        fs::create_directories(folder / language / "pictures");
+        for (const std::string& name : own_pictures(resources, language)) {
+            const std::string file = language + "/pictures/" + name;
+            write(folder / file, text_of(resources / "pictures/manual" / language / name));
+            files.push_back(file);
+        }
+    }
     write(folder / "style.css", text_of(sources / "style.css"));
     std::string qrc = "<RCC><qresource prefix=\"/manual\">\n";
     // The workbench gives the drawings colours of its own.

@@ -105,7 +105,9 @@ private:
                 plain_ += code;
                 i = end + 1;
             } else if (text.substr(i, 2) == "![" && read_reference(text, i + 1, r)) {
-                html += picture(r.text, options_.pictures_in + picture_link(r.address));
+                const std::string file = picture_link(r.address);
+                html += picture(r.text,
+                                (options_.own_pictures.contains(file) ? "" : options_.pictures_in) + file);
                 i = r.end;
             } else if (text[i] == '[' && read_reference(text, i, r)) {
                 const std::string to = page_link(r.address);
@@ -190,10 +192,9 @@ private:
                 "<p>" + picture(label, options_.pictures_in + "drawings/" + drawing + ".svg") + "</p>\n";
         page_.html += "<p>" + inline_html(help) + "</p>\n";
         std::string facts = inline_html(options_.say(row[2]));
-        if (!row[3].empty()) facts += ", " + inline_html(row[3]);
-        if (!row[4].empty()) facts += " · " + options_.say("range") + ' ' + inline_html(options_.say(row[4]));
-        if (!row[5].empty())
-            facts += " · " + options_.say("default") + ' ' + inline_html(options_.say(row[5]));
+        if (!row[3].empty()) facts += ", " + inline_html(options_.measure(row[3]));
+        if (!row[4].empty()) facts += " · " + options_.say("range") + ' ' + inline_html(measured(row[4]));
+        if (!row[5].empty()) facts += " · " + options_.say("default") + ' ' + inline_html(measured(row[5]));
         page_.html += "<p class=\"facts\">" + facts + "</p>\n";
     }
 
@@ -243,9 +244,12 @@ private:
         return end == std::string::npos ? without_ticks(row[0]) : options_.say(row[1].substr(2, end - 2));
     }
 
+    std::string measured(const std::string& cell) const { return options_.measure(options_.say(cell)); }
+
     std::string said_cell(const std::string& cell) const {
         const auto end = cell.starts_with("**") ? cell.find(".** ") : std::string::npos;
-        if (end == std::string::npos) return options_.say(cell);
+        const bool number = cell.find_first_of("0123456789") == (cell.starts_with("-") ? 1 : 0);
+        if (end == std::string::npos) return number ? measured(cell) : options_.say(cell);
         return "**" + options_.say(cell.substr(2, end - 2)) + ".** " + options_.say(cell.substr(end + 4));
     }
 

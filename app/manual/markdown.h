@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,11 @@ struct PageOptions {
     /// What a text that stands in English is to say on the page: a paragraph, a title, a cell of a table.
     /// Anchors stay those of the English words.
     std::function<std::string(const std::string&)> say = [](const std::string& text) { return text; };
+    /// The same for numbers with their units: "0.5 rpm".
+    std::function<std::string(const std::string&)> measure = [](const std::string& text) { return text; };
     std::string pictures_in; ///< "../": what the folders of pictures and drawings stand in, from the page
+    /// Pictures in the page's own language, which stand beside it: "pictures/start.png".
+    std::set<std::string> own_pictures = {};
 };
 
 /// Links to FILE.md lead to FILE.html in the same folder, pictures to the folder they stand in. Tables of

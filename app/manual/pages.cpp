@@ -109,9 +109,14 @@ std::vector<NamedPage> manual_pages(const fs::path& resources, const Words& word
     }
     PageOptions options;
     options.drawing = drawing_of;
-    if (words.language() != "en") options.pictures_in = "../";
+    if (words.language() != "en") {
+        options.pictures_in = "../";
+        for (const std::string& name : own_pictures(resources, words.language()))
+            options.own_pictures.insert("pictures/" + name);
+    }
     PageOptions of_reference = options;
     of_reference.say = [&](const std::string& english) { return words.of(english); };
+    of_reference.measure = [&](const std::string& said) { return words.measure(said); };
     std::vector<NamedPage> pages;
     std::istringstream names(text_of(resources / "manual/contents.txt"));
     for (std::string name; names >> name;) {
@@ -124,6 +129,15 @@ std::vector<NamedPage> manual_pages(const fs::path& resources, const Words& word
     }
     check_links(pages, resources);
     return pages;
+}
+
+std::vector<std::string> own_pictures(const fs::path& resources, const std::string& language) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(resources / "pictures/manual" / language, none))
+        if (entry.path().extension() == ".png") names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 std::vector<std::string> manual_languages(const fs::path& resources) {

@@ -20,6 +20,9 @@ struct NamedPage {
 /// In the order of contents.txt. Links, anchors and pictures that lead nowhere are errors.
 std::vector<NamedPage> manual_pages(const std::filesystem::path& resources, const Words& words);
 
+/// Pictures that are there in a language of their own, resources/pictures/manual/de: their names, sorted.
+std::vector<std::string> own_pictures(const std::filesystem::path& resources, const std::string& language);
+
 /// The folders of resources/manual, "de", sorted; English is none of them.
 std::vector<std::string> manual_languages(const std::filesystem::path& resources);
 

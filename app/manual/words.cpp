@@ -141,4 +141,15 @@ std::string Words::of(const std::string& english) const {
     return said;
 }
 
+std::string Words::measure(std::string said) const {
+    const std::string half = of("0.5");
+    const auto digit = [&](std::size_t at) {
+        return at < said.size() && std::isdigit(static_cast<unsigned char>(said[at]));
+    };
+    for (std::size_t i = 1; i < said.size(); ++i)
+        if (said[i] == '.' && digit(i - 1) && digit(i + 1)) said[i] = half[1];
+    replace_all(said, "rpm", of("rpm"));
+    return said;
+}
+
 } // namespace facetmill::manual

@@ -19,6 +19,9 @@ public:
 
     /// What an English text is in the language; the text itself where it is not known.
     std::string of(const std::string& english) const;
+    /// Numbers and units of a short text in the language's way: "0,5 tr/min". Its decimal mark is that of
+    /// what it calls "0.5".
+    std::string measure(std::string said) const;
     /// "en" or as it was asked for.
     const std::string& language() const { return language_; }
     /// Texts with words that were asked for and are not known.

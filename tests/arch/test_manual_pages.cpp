@@ -178,6 +178,25 @@ private slots:
         }
     }
 
+    void pictures_of_the_window_speak_the_language_data() { each_language(); }
+    void pictures_of_the_window_speak_the_language() {
+        QFETCH(QString, language);
+        static const QRegularExpression picture(QStringLiteral("<img src=\"((?:\\.\\./)?pictures/[^\"]*)\""));
+        const std::vector<std::string> own = own_pictures(manual_resources(), language.toStdString());
+        QVERIFY(own.size() >= 8);
+        std::size_t shown = 0;
+        for (const NamedPage& page : pages_in(language))
+            for (const QString& file : captured(in_qt(page.page.html), picture)) {
+                const std::string name = file.section(QChar('/'), -1).toStdString();
+                const bool has_own = std::find(own.begin(), own.end(), name) != own.end();
+                // English ones stand in the folder above; these have next to no words.
+                QCOMPARE(file.startsWith(QStringLiteral("../")), !has_own);
+                QVERIFY2(has_own || name == "cspace_crowded.png", name.c_str());
+                ++shown;
+            }
+        QVERIFY(shown >= own.size()); // none is shown nowhere
+    }
+
     void nothing_stands_in_english_data() { each_language(); }
     void nothing_stands_in_english() {
         QFETCH(QString, language);
@@ -189,7 +208,9 @@ private slots:
         static const QRegularExpression paragraph(
             QStringLiteral("<(?:p|li|td|h\\d)\\b[^>]*>(.*?)</(?:p|li|td|h\\d)>")),
             inner(QStringLiteral("<code>.*?</code>|<[^>]*>")), word(QStringLiteral("[a-z]{3,}")),
-            decimal_point(QStringLiteral("(?<![\\w.])\\d+\\.\\d+(?![\\w.])"));
+            decimal_point(QStringLiteral("(?<![\\w.])\\d+\\.\\d+(?![\\w.])")),
+            facts(QStringLiteral("<p class=\"facts\">(.*?)</p>")),
+            english_measure(QStringLiteral("\\d\\.\\d|\\brpm\\b"));
         for (std::size_t i = 0; i < pages.size(); ++i) {
             QSet<QString> english;
             for (QString text : captured(html_of(english_[i]), paragraph))
@@ -202,6 +223,9 @@ private slots:
                 if (!is_reference(pages[i]) && text.contains(decimal_point))
                     found << in_qt(pages[i].file) + QStringLiteral(", a decimal point: ") + text;
             }
+            for (const QString& text : captured(html_of(pages[i]), facts))
+                if (text.contains(english_measure))
+                    found << in_qt(pages[i].file) + QStringLiteral(", numbers and units: ") + text;
         }
         QVERIFY2(found.isEmpty(), qPrintable(found.join(QChar('\n'))));
     }
@@ -247,6 +271,8 @@ private slots:
         QCOMPARE(words.of("0 to 2.5 mm"), std::string("0 bis 2.5 mm"));
         QCOMPARE(words.of("number or `auto`"), std::string("Zahl oder `auto`"));
         QCOMPARE(words.of("Rough: parameters"), std::string("Schruppen: Parameter"));
+        QCOMPARE(words.measure("0 bis 2.5 rpm"), std::string("0 bis 2,5 U/min"));
+        QCOMPARE(Words().measure("2.5 rpm"), std::string("2.5 rpm"));
         QVERIFY(words.missing().empty());
         // A sentence is no range, though it has its word in it.
         QCOMPARE(words.of("from here to there"), std::string("from here to there"));
