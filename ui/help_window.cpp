@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QResizeEvent>
 #include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -34,6 +35,14 @@ QTreeWidgetItem* add_help_item(QTreeWidgetItem* above, QTreeWidget* tree, const 
     return item;
 }
 
+/// What titles ask for: with the mark that opens them, the frame and a scroll bar.
+int width_of_titles(const QTreeWidget& tree) {
+    int widest = 0;
+    for (int i = 0; i < tree.topLevelItemCount(); ++i)
+        widest = std::max(widest, tree.fontMetrics().horizontalAdvance(tree.topLevelItem(i)->text(0)));
+    return widest + 3 * tree.indentation();
+}
+
 } // namespace
 
 HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
@@ -55,17 +64,17 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     left_ = new QStackedWidget(this);
     left_->addWidget(contents_);
     left_->addWidget(results_);
-    auto* both = new QSplitter(this);
-    both->addWidget(left_);
-    both->addWidget(browser_);
-    both->setStretchFactor(1, 1);
-    both->setSizes({help_left_width, 3 * help_left_width});
+    halves_ = new QSplitter(this);
+    halves_->addWidget(left_);
+    halves_->addWidget(browser_);
+    halves_->setStretchFactor(1, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(make_bar());
-    column->addWidget(both, 1);
+    column->addWidget(halves_, 1);
     fill_contents();
+    connect(halves_, &QSplitter::splitterMoved, this, [this] { divided_ = true; });
     connect(contents_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
         if (item) browser_->show_topic(item->data(0, help_topic_role).toString());
     });
@@ -77,6 +86,14 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window) {
     connect(browser_, &QTextBrowser::sourceChanged, this, &HelpWindow::choose_in_contents);
     const QSize screen = QGuiApplication::primaryScreen()->availableSize();
     resize(std::min(960, screen.width()), std::min(680, screen.height()));
+}
+
+/// Titles are read whole where the page, which has wide tables, keeps its room.
+void HelpWindow::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (divided_) return;
+    const int left = std::max(help_left_width, std::min(width_of_titles(*contents_), width() / 4));
+    halves_->setSizes({left, std::max(1, width() - left)});
 }
 
 QToolBar* HelpWindow::make_bar() {

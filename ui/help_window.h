@@ -6,6 +6,7 @@
 class QAction;
 class QLineEdit;
 class QListWidget;
+class QSplitter;
 class QStackedWidget;
 class QToolBar;
 class QTreeWidget;
@@ -28,6 +29,7 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolBar* make_bar();
@@ -38,10 +40,12 @@ private:
 
     HelpBrowser* browser_ = nullptr;
     QLineEdit* search_ = nullptr;
+    QSplitter* halves_ = nullptr;
     QStackedWidget* left_ = nullptr;
     QTreeWidget* contents_ = nullptr;
     QListWidget* results_ = nullptr;
     int zoomed_ = 0;
+    bool divided_ = false; ///< by the user
 };
 
 } // namespace facetmill::ui

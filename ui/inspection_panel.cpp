@@ -67,7 +67,8 @@ void InspectionPanel::set_ready(bool ready) {
 
 void InspectionPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int most = std::max(80, width() / 4);
+    // Beside the other box, what is read off and the buttons.
+    const int most = std::max(80, width() / (operation_->isHidden() ? 3 : 4));
     for (QComboBox* box : {chart_, operation_})
         box->setMaximumWidth(std::min(220, most));
 }

@@ -47,7 +47,7 @@ PlaceValueRow::PlaceValueRow(QWidget* parent) : QWidget(parent) {
     apply_->setText(tr("Apply"));
     apply_->setToolTip(tr("Enter in the field does the same"));
     apply_->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(kind_, 1);
+    row->addWidget(kind_, 2); // words are longer than numbers
     row->addWidget(value_, 1);
     row->addWidget(apply_);
     connect(kind_, &QComboBox::activated, this, &PlaceValueRow::show_kind);

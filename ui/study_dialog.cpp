@@ -110,7 +110,8 @@ QWidget* StudyDialog::build_pictures() {
         });
     }
     auto* axes = new QHBoxLayout;
-    axes->setContentsMargins(4, 0, 4, 2);
+    axes->setContentsMargins(4, 2, 4, 2);
+    axes->setSpacing(6); // the column's own is none
     axes->addWidget(y_, 1);
     axes->addWidget(new QLabel(tr("against"), page));
     axes->addWidget(x_, 1);
