@@ -124,7 +124,7 @@ QString kept_places_text(const Document& document) {
     if (document.project().programs.zero != std::array<double, 3>{0, 0, 0})
         all << translated("the work zero");
     if (all.isEmpty()) return {};
-    return translated("Still at places of the part before: %1.").arg(all.join(QStringLiteral("; ")));
+    return translated("Still at places of the part before: %1.").arg(all.join(clause_mark()));
 }
 
 } // namespace facetmill::ui

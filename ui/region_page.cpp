@@ -127,7 +127,7 @@ void RegionPage::show_regions(const std::vector<ReworkRegion>& regions) {
             table_->setItem(row, column, item);
             return item;
         };
-        auto* name = put(name_column, text(r.strip.name), Qt::ItemIsUserCheckable);
+        auto* name = put(name_column, worded(r.strip.name), Qt::ItemIsUserCheckable);
         name->setCheckState(r.strip.enabled ? Qt::Checked : Qt::Unchecked);
         name->setToolTip(r.strip.enabled ? tr("Cut by the rework tool; uncheck to leave it out")
                                          : tr("Switched off: it is not cut"));

@@ -1,6 +1,7 @@
 #include "ui/worded.h"
 
 #include "ui/text.h"
+#include "ui/value_words.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -150,7 +151,7 @@ QString place_said(const QString& filled, int depth) {
     }
     for (QString& part : parts)
         part = place_said(part, depth + 1);
-    return parts.join(mark);
+    return parts.join(clause_mark());
 }
 
 std::optional<QString> sentence_of(const QString& message, int depth) {

@@ -2152,6 +2152,10 @@
         <translation>Änderungen der Bereiche</translation>
     </message>
     <message>
+        <source>Region {1}</source>
+        <translation>Bereich {1}</translation>
+    </message>
+    <message>
         <source>Relief height</source>
         <translation>Reliefhöhe</translation>
     </message>
@@ -11391,6 +11395,11 @@
         <translation>95 %</translation>
     </message>
     <message>
+        <source>; </source>
+        <comment>between clauses</comment>
+        <translation>; </translation>
+    </message>
+    <message>
         <source>; at most %1 stays above the allowance</source>
         <translation>; höchstens %1 bleibt über dem Aufmaß</translation>
     </message>
@@ -14570,6 +14579,10 @@ auf, %1</translation>
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
+        <source>Saving %1…</source>
+        <translation>%1 wird gespeichert…</translation>
+    </message>
+    <message>
         <source>Say where a file is that the project names and that is not there</source>
         <translation>Sagen, wo eine Datei ist, die das Projekt nennt und die fehlt</translation>
     </message>
@@ -16399,7 +16412,7 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message>
         <source>facets that face the wrong side</source>
-        <translation>Facetten, die zur falschen Seite zeigen</translation>
+        <translation>verkehrt gewendete Facetten</translation>
     </message>
     <message>
         <source>facets that occur twice, kept</source>

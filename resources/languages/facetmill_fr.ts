@@ -2152,6 +2152,10 @@
         <translation>Modifications des zones</translation>
     </message>
     <message>
+        <source>Region {1}</source>
+        <translation>Zone {1}</translation>
+    </message>
+    <message>
         <source>Relief height</source>
         <translation>Hauteur du relief</translation>
     </message>
@@ -6525,7 +6529,7 @@
     </message>
     <message>
         <source>needs a lead of up to {1}, allowed are {2}</source>
-        <translation>demande une attaque jusqu'à {1}, {2} sont permis</translation>
+        <translation>demande une attaque jusqu'à {1}, permis : {2}</translation>
     </message>
     <message>
         <source>no FINI or END: the file may be cut short</source>
@@ -11391,6 +11395,11 @@
         <translation>95 %</translation>
     </message>
     <message>
+        <source>; </source>
+        <comment>between clauses</comment>
+        <translation> ; </translation>
+    </message>
+    <message>
         <source>; at most %1 stays above the allowance</source>
         <translation>; au plus %1 reste au-dessus de la surépaisseur</translation>
     </message>
@@ -11404,7 +11413,7 @@
     </message>
     <message>
         <source>; lowest lift %1, highest %2</source>
-        <translation>; levée la plus basse %1, la plus haute %2</translation>
+        <translation> ; levée la plus basse %1, la plus haute %2</translation>
     </message>
     <message>
         <source>; not carried:</source>
@@ -14568,6 +14577,10 @@
         <translation>%1 enregistré.</translation>
     </message>
     <message>
+        <source>Saving %1…</source>
+        <translation>Enregistrement de %1…</translation>
+    </message>
+    <message>
         <source>Say where a file is that the project names and that is not there</source>
         <translation>Dire où est un fichier que le projet nomme et qui manque</translation>
     </message>
@@ -15071,7 +15084,7 @@
     </message>
     <message>
         <source>Tapered ball</source>
-        <translation>Conique à bout rond</translation>
+        <translation>Conique hémisphérique</translation>
     </message>
     <message>
         <source>Tapered flat</source>
