@@ -152,12 +152,15 @@ void lay_scallops(const PreviewField& field, const ScallopSettings& settings, co
                     "allow a larger tolerance or set a step-over");
     const auto passes = std::size_t(std::max(1.0, std::ceil(most - start.first)));
     const auto every = std::size_t(std::ceil(double(passes) / max_drawn_scallops));
-    std::vector<std::vector<std::vector<Vec3>>> laid((passes + every - 1) / every);
-    parallel_for(laid.size(), 1, progress.part(0.7, 1), [&](std::size_t k) {
-        const double value = start.first + double(k * every);
-        // What is smaller than a step gets a pass in its middle.
-        for (FieldContour& contour :
-             field_contours(grid.grid(), distance, value < most ? value : 0.5 * most, progress.part(1, 1))) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < passes; k += every)
+        values.push_back(start.first + double(k));
+    // What is smaller than a step gets a pass in its middle.
+    if (!(values.front() < most)) values = {0.5 * most};
+    auto contours = field_contours(grid.grid(), distance, values, progress.part(0.7, 0.9));
+    std::vector<std::vector<std::vector<Vec3>>> laid(contours.size());
+    parallel_for(laid.size(), 1, progress.part(0.9, 1), [&](std::size_t k) {
+        for (FieldContour& contour : contours[k]) {
             if (contour.closed) contour.places.push_back(contour.places.front());
             field.lay(contour.places, 0, -infinity, laid[k]);
         }

@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/strategy/scallop/metric_grid.h"
 
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -15,8 +16,11 @@ struct FieldContour {
     std::vector<std::size_t> corners; ///< of the grid's cells that it crosses
 };
 
-/// Where `value` is passed, between places that are cut; each line once, in an order that the field gives.
-std::vector<FieldContour> field_contours(const MetricGrid& field, const std::vector<double>& values,
-                                         double value, const Progress& progress);
+/// For every level, in ascending order: where it is passed, between places that are cut; each line once, in
+/// an order that the field gives.
+std::vector<std::vector<FieldContour>> field_contours(const MetricGrid& field,
+                                                      const std::vector<double>& values,
+                                                      std::span<const double> levels,
+                                                      const Progress& progress);
 
 } // namespace facetmill

@@ -1,5 +1,5 @@
-// Distances over a field, counted in steps: the fast sweeping method over its triangles (Tsai et al. 2003,
-// Qian et al. 2007).
+// Distances over a field, counted in steps, across its triangles (Qian et al. 2007 have their formula):
+// fronts go on from the nearest places first, and again from those that come nearer.
 #pragma once
 
 #include "core/base/progress.h"
@@ -9,7 +9,7 @@
 
 namespace facetmill {
 
-/// In steps from the nearest seed, once no round of sweeps changes them by more than `settled`; infinite
+/// In steps from the nearest seed, once none changes by anything that counts against `settled`; infinite
 /// where none is reached.
 std::vector<double> field_distances(const MetricGrid& field, const std::vector<MetricGrid::Seed>& seeds,
                                     const Progress& progress, double settled = 1e-4);

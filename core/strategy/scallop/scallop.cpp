@@ -236,15 +236,14 @@ std::vector<FieldContour> ScallopPlanner::lines_of(const std::vector<double>& di
     std::vector<double> values;
     for (double value = first_value(); value < most; value += 1)
         values.push_back(value);
-    std::vector<std::vector<FieldContour>> found(values.size());
-    parallel_for(values.size(), 1, progress.part(0, 1), [&](std::size_t k) {
-        found[k] = field_contours(field_->grid(), distance, values[k], progress.part(0, 0));
-    });
     std::vector<FieldContour> lines = front_.lines;
-    for (auto& more : found)
-        std::move(more.begin(), more.end(), std::back_inserter(lines));
+    const auto add = [&](std::span<const double> levels) {
+        for (auto& more : field_contours(field_->grid(), distance, levels, progress.part(0, 1)))
+            std::move(more.begin(), more.end(), std::back_inserter(lines));
+    };
+    add(values);
     if (lines.empty()) // smaller than a step
-        lines = field_contours(field_->grid(), distance, 0.5 * most, progress.part(1, 1));
+        add(std::array{0.5 * most});
     for (FieldContour& line : lines)
         move_to_feet(*field_, lift_, settings_.slope_limit, line, progress);
     return lines;
