@@ -344,11 +344,25 @@ private:
              {std::pair("study_values_tolerance", "0.02; 0.03"), std::pair("study_values_direction", "x; y")})
             type_over(dialog().findChild<QLineEdit*>(QLatin1String(name)), QLatin1String(values));
     }
+    /// The first one is worked on from its beginning; the others go on with what that has looked at: they
+    /// have all but the decision.
     void run_study_here() {
         study().open();
-        ask();
+        if (worked_on_.isEmpty()) {
+            ask();
+        } else {
+            QVERIFY(copied(worked_on_, folder_));
+            QVERIFY(QFile::remove(folder_ + QStringLiteral("/job.study/study.json")));
+            study().open_study(folder_ + QStringLiteral("/job.study"));
+            QVERIFY(settled());
+        }
         study().start();
         QVERIFY(settled());
+        if (worked_on_.isEmpty()) {
+            const QString kept = scratch_folder(QStringLiteral("study-worked-on"));
+            QVERIFY(copied(folder_, kept));
+            worked_on_ = kept;
+        }
         QVERIFY2(study().look() && study().look()->outcome.decision.winner, qPrintable(dialog().status()));
     }
     std::size_t known_looks() {
@@ -432,7 +446,19 @@ private:
         QCOMPARE(dialog().table()->listed().size(), std::size_t(5));
     }
 
-    QString folder_;
+    /// The study, not the project that it is of.
+    static bool copied(const QString& from, const QString& to) {
+        constexpr auto all =
+            std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
+        std::error_code failed;
+        for (const char* name : {"/job.study", "/job.study.json"})
+            if (!failed)
+                std::filesystem::copy((from + QLatin1String(name)).toStdString(),
+                                      (to + QLatin1String(name)).toStdString(), all, failed);
+        return !failed;
+    }
+
+    QString folder_, worked_on_;
 };
 
 FACETMILL_TEST(TestWindowStudy)
