@@ -2,8 +2,13 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace facetmill::test {
@@ -16,6 +21,24 @@ struct Entry {
 std::vector<Entry>& entries() {
     static std::vector<Entry> all;
     return all;
+}
+
+/// Names of classes, separated by commas; nothing where the variable is not set. A name that no class has
+/// ends the program: the class would be left out in silence.
+std::optional<std::vector<std::string>> classes_in(const char* variable) {
+    const char* text = std::getenv(variable); // NOLINT(concurrency-mt-unsafe)
+    if (!text) return std::nullopt;
+    std::vector<std::string> names;
+    std::istringstream all(text);
+    for (std::string name; std::getline(all, name, ',');) {
+        if (std::none_of(entries().begin(), entries().end(),
+                         [&](const Entry& e) { return name == e.name; })) {
+            std::fprintf(stderr, "%s: no test class is named '%s'\n", variable, name.c_str());
+            std::exit(1); // NOLINT(concurrency-mt-unsafe)
+        }
+        names.push_back(name);
+    }
+    return names;
 }
 } // namespace
 
@@ -35,9 +58,14 @@ int run_tests(int argc, char** argv) {
             --argc;
         }
     }
+    const auto these = classes_in("FACETMILL_CLASSES"), others = classes_in("FACETMILL_OTHER_CLASSES");
+    const auto names = [](const auto& list, const char* name) {
+        return std::find(list->begin(), list->end(), std::string_view(name)) != list->end();
+    };
     int failed = 0, run = 0;
     for (const auto& e : entries()) {
         if (only && std::strcmp(e.name, only) != 0) continue;
+        if (!only && ((these && !names(these, e.name)) || (others && names(others, e.name)))) continue;
         const auto object = e.make();
         failed += QTest::qExec(object.get(), argc, argv);
         ++run;

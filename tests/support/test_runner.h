@@ -14,8 +14,9 @@ namespace facetmill::test {
 
 bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> make);
 
-/// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first. The
-/// exit status of the program.
+/// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first;
+/// without one, the classes that FACETMILL_CLASSES names, separated by commas, or all but those that
+/// FACETMILL_OTHER_CLASSES names. The exit status of the program.
 int run_tests(int argc, char** argv);
 
 /// Path of a file or folder below tests/.
