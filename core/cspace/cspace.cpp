@@ -5,8 +5,10 @@
 #include "core/cspace/posture_terms.h"
 #include "core/setup/kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <utility>
 
 namespace facetmill {
@@ -25,11 +27,15 @@ const ToolLift& wanted(const ToolLift* lift) {
     return *lift;
 }
 
+/// Next to 0: what is no higher than this leaves too much.
+constexpr double below_0 = -std::numeric_limits<double>::min();
+
 /// What the top of one posture after the other has in common.
 class TopSearch {
 public:
-    TopSearch(const CurveLift& lift, std::span<const RaisedCurve> curves)
-        : lift_(lift), curves_(curves), hints_(curves.size()) {}
+    /// `low`: tops below 0 are wanted as they are.
+    TopSearch(const CurveLift& lift, std::span<const RaisedCurve> curves, bool low)
+        : lift_(lift), curves_(curves), hints_(curves.size()), low_(low) {}
 
     double top(const ToolPose& pose) {
         double least = infinity;
@@ -37,11 +43,12 @@ public:
         // The curve that was lowest first: of most others it is then enough to know that they are higher.
         for (std::size_t i = 0; i < curves_.size(); ++i) {
             const std::size_t c = i == 0 ? first_ : i <= first_ ? i - 1 : i;
-            const double here = lift_.lift(pose, curves_[c], hints_[c], least);
+            const double here = lift_.lift(pose, curves_[c], hints_[c], least, low_ ? -infinity : below_0);
             if (here < least) {
                 least = here;
                 lowest = c;
             }
+            if (!low_ && least < 0) break;
         }
         first_ = lowest;
         return least;
@@ -51,6 +58,7 @@ private:
     const CurveLift& lift_;
     std::span<const RaisedCurve> curves_;
     std::vector<CurveLift::Hint> hints_;
+    bool low_;
     std::size_t first_ = 0;
 };
 
@@ -99,7 +107,7 @@ std::optional<CSpaceBuilder::Free> CSpaceBuilder::free(const ContactFrame& frame
     hints.top.resize(std::max(hints.top.size(), curves.size()));
     double top = infinity;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        top = std::min(top, curve_.lift(pose, curves[i], hints.top[i], top));
+        top = std::min(top, curve_.lift(pose, curves[i], hints.top[i], top, below_0));
         if (!(top >= 0)) return std::nullopt;
     }
     const Free found{{lead, yaw, input_.lift->lift_above(pose, 0, top, hints.bottom)}, top};
@@ -127,6 +135,18 @@ double CSpaceBuilder::top(const ToolPose& pose, double lead, const RaisedCurve& 
                           double enough) const {
     if (!can_touch(input_.lift->cutter(), lead, input_.height)) return -infinity;
     return curve_.lift(pose, curve, hint, enough);
+}
+
+bool CSpaceBuilder::reaches(const ToolPose& pose, double lead, const RaisedCurve& curve,
+                            CurveLift::Hint& hint, double level) const {
+    return can_touch(input_.lift->cutter(), lead, input_.height) && curve_.reaches(pose, curve, hint, level);
+}
+
+bool CSpaceBuilder::reaches(const ToolPose& pose, std::span<const RaisedCurve> curves, double level) const {
+    return std::all_of(curves.begin(), curves.end(), [&](const RaisedCurve& curve) {
+        CurveLift::Hint hint;
+        return curve_.reaches(pose, curve, hint, level);
+    });
 }
 
 bool CSpaceBuilder::holds(const ToolPose& pose) const {
@@ -199,7 +219,7 @@ void CSpaceBuilder::fill_top(CSpace& space, const GridTerms& terms, std::span<co
                              const Progress& progress) const {
     constexpr std::size_t postures_per_check = 256;
     const std::size_t leans = terms.leans.size();
-    TopSearch search(curve_, curves);
+    TopSearch search(curve_, curves, input_.low_tops);
     std::size_t seen = 0;
     // To and fro, so that every posture is a neighbour of the one before: what one met, the next is likely to
     // meet.

@@ -65,6 +65,8 @@ struct CSpaceInput {
     /// False: where the top is below 0 (`lift`) the bottom is not looked for and stays 0. Enough for choosing
     /// postures, in a fraction of the time.
     bool bottom_everywhere = true;
+    /// False: tops below 0 are any number below 0, as the choice of the best path does not ask for them.
+    bool low_tops = true;
 };
 
 /// Surfaces and causes per node of the grid (PostureGrid::node), mm. Where the cutter cannot touch
@@ -101,6 +103,11 @@ public:
     /// where the cutter cannot touch with this lead.
     double top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
                double enough) const;
+    /// Whether that is `level` or higher; sooner than the value.
+    bool reaches(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
+                 double level) const;
+    /// Whether the top of a pose is `level` or higher.
+    bool reaches(const ToolPose& pose, std::span<const RaisedCurve> curves, double level) const;
 
     /// What makes the next of similar postures at a contact point faster.
     struct Hints {

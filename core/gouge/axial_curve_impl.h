@@ -1,6 +1,7 @@
 // Body of axial_kernel_*.cpp: the highest lift over a polyline. The lift is concave on every segment, and
 // below each of its tangent planes everywhere. Planes at the corners about the segment that was touched last
-// tell which other segments could reach higher; only those get the exact test.
+// tell which other segments could reach higher; only those get the exact test, and none does where nothing
+// reaches what is asked for.
 #pragma once
 
 #include "core/base/tolerances.h"
@@ -117,7 +118,9 @@ struct CurveSearch {
         }
         std::uint32_t near_count = last - start;
         near_count = near_count < 3 ? near_count : 3;
-        {
+        // Where none of the corners is as high as is asked for most likely nothing is, and bounds tell.
+        const bool low = last > 0 && query.least > no_lift && bits(lift > query.least) == 0;
+        if (!low) {
             const std::uint32_t segment[double_lanes] = {start, start + 1, start + 2, start + 3};
             const Point4 next{Double4{p.x[1], p.x[2], p.x[3], p.x[3]},
                               Double4{p.y[1], p.y[2], p.y[3], p.y[3]},
@@ -125,7 +128,7 @@ struct CurveSearch {
             // One point is a segment without length.
             test(p, next, segment, last == 0 ? 1 : int(near_count));
         }
-        if (last <= near_count || best.tip > query.enough) return;
+        if ((!low && last <= near_count) || best.tip > query.enough) return;
 
         // Tangent planes of the lift: z - at0 - s (along the radius of the corner). Beyond the rim, and where
         // the cutter is steep, its steep support line stands in for the tangent.
@@ -182,15 +185,22 @@ struct CurveSearch {
             for (std::uint32_t k = i > from ? i - 1 : from; k < to; ++k)
                 look_at(k);
         };
-        scan(0, start, 0);
-        scan(start + near_count, last, int(near_count));
+        const std::uint32_t before = low ? start + (near_count + 1) / 2 : start;
+        scan(0, before, 0);
+        scan(low ? before : start + near_count, last, int(near_count));
         if (waiting > 0) test(segment, waiting);
+        if (best.slot != no_slot) return;
+        // The next question begins at the highest of them.
+        std::uint32_t highest = 0;
+        for (std::uint32_t w = 1; w < double_lanes; ++w)
+            if (lift[int(w)] > lift[int(highest)]) highest = w;
+        best.slot = lift[int(highest)] > no_lift ? which[highest] : middle;
     }
 };
 
 void curve(const SurfaceTable& surface, const AxialQuery& query, const double* points, std::uint32_t count,
            AxialAnswer& answer) {
-    answer.tip = no_lift;
+    answer.tip = query.least;
     answer.slot = no_slot;
     if (count == 0) return;
     CurveSearch search{surface, query, points, count, answer};

@@ -52,9 +52,9 @@ struct AxialPacketAnswer {
 };
 using PacketKernel = void (*)(const IndexView&, const SurfaceTable&, const AxialPacket&, AxialPacketAnswer&);
 /// Gives the highest lift over a polyline of `count` points (x, y, z each), any axis. It reads of the query
-/// `place`, `frame`, `enough` (when a lift is surely higher, any such lift is the answer) and `hint` (number
-/// of a segment); the answer's `slot` is the number of a segment. -inf and no_slot where no point is under
-/// the cutter.
+/// `place`, `frame`, `least`, `enough` (when a lift is surely higher, any such lift is the answer) and `hint`
+/// (number of a segment); the answer's `slot` is the number of a segment, a good hint for the next. `least`
+/// where nothing is higher; where no point is under the cutter that is nowhere.
 using CurveKernel = void (*)(const SurfaceTable&, const AxialQuery&, const double* points,
                              std::uint32_t count, AxialAnswer&);
 /// The kernels of one instruction set.

@@ -35,9 +35,11 @@ public:
     /// The lift along the axis from the pose (tip in part coordinates, mm; unit axis); -inf when no point of
     /// the polyline is within the largest radius of the axis, or there are no points. One point is a curve;
     /// points may repeat. When the lift is surely above `enough` the answer is any number above it that is no
-    /// higher than the lift.
-    double lift(const ToolPose& pose, std::span<const Vec3> curve, Hint& hint,
-                double enough = infinity) const;
+    /// higher than the lift; where it is not above `least` the answer is `least`, found sooner.
+    double lift(const ToolPose& pose, std::span<const Vec3> curve, Hint& hint, double enough = infinity,
+                double least = -infinity) const;
+    /// Whether the lift is `level` or higher.
+    bool reaches(const ToolPose& pose, std::span<const Vec3> curve, Hint& hint, double level) const;
     double lift(const ToolPose& pose, std::span<const Vec3> curve) const;
 
 private:

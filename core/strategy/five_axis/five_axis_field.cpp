@@ -91,6 +91,8 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     input.local_radius = 2 * radius_;
     input.height = cutter().height();
     input.bottom_everywhere = whole_spaces;
+    // Lu's local choice goes through what is not free.
+    input.low_tops = whole_spaces || settings_.posture == Finish5Settings::PostureChoice::local;
     builder_.emplace(input);
 }
 

@@ -104,7 +104,7 @@ private:
         for (const double t : {0.5, 0.25, 0.75}) {
             const CutterLocation on = location_on_route(a.cl, b.cl, t);
             const auto curves = field_.strip_curves(place_between(a.place, b.place, t));
-            if (field_.builder().top(ToolPose{on.tip, on.axis}, curves) < -slack) return false;
+            if (!field_.builder().reaches(ToolPose{on.tip, on.axis}, curves, -slack)) return false;
         }
         return true;
     }

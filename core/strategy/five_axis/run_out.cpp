@@ -33,7 +33,7 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
         const RaisedCurve point{border + raised * end.frame.normal};
         const auto holds = [&](int k) {
             const ToolPose there{pose.tip + k * run_step_share * r * onward, pose.axis};
-            return field.builder().top(there, std::span(&point, 1)) >= 0;
+            return field.builder().reaches(there, std::span(&point, 1), 0);
         };
         for (int k = 0; k >= -back; --k)
             if (holds(k)) return;

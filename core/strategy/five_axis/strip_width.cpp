@@ -64,6 +64,10 @@ double StripWidth::margin(const Standing& at, Look& line, double enough) const {
     return field_.builder().top(at.pose, at.lead, line.line, line.hint, enough) - at.delta;
 }
 
+bool StripWidth::holds(const Standing& at, Look& line) const {
+    return field_.builder().reaches(at.pose, at.lead, line.line, line.hint, at.delta);
+}
+
 StripWidth::Width StripWidth::operator()(const Standing& at, int side) {
     const double most = StripWidth::max_width(field_);
     double last_v = place_.v;
@@ -98,7 +102,7 @@ bool StripWidth::may_exceed(const Standing& at, int side, double width) {
         if (!next.holds) return true;
         if (next.ends) last = infinity; // counted, and the last one
     }
-    return count == 0 || margin(at, look(side, count - 1), at.delta) >= 0;
+    return count == 0 || holds(at, look(side, count - 1));
 }
 
 bool StripWidth::clears_own_line(const PostureValue& posture) {
@@ -107,7 +111,7 @@ bool StripWidth::clears_own_line(const PostureValue& posture) {
         own_->holds = field_.own_line(place_, own_->line);
     }
     const Standing at = standing(posture);
-    return !own_->holds || margin(at, *own_, at.delta) >= 0;
+    return !own_->holds || holds(at, *own_);
 }
 
 } // namespace facetmill

@@ -56,6 +56,8 @@ private:
     /// How much farther a posture may be lifted until it holds no point of the line, mm; negative: it holds
     /// none. The exact value where its lift is up to `enough` then.
     double margin(const Standing& at, Look& line, double enough) const;
+    /// Whether it holds one.
+    bool holds(const Standing& at, Look& line) const;
 
     const FiveAxisField& field_;
     const ContactPlace& place_;

@@ -118,6 +118,12 @@ private slots:
                 const double got = lift.lift(pose, curve, hint);
                 QCOMPARE(got, lift.lift(pose, curve)); // whatever the hint
                 QCOMPARE(got, lift.lift(pose, curve, hint));
+                // The same but for what is not asked for, and whatever was asked before.
+                for (const double least :
+                     {-30.0, got - 0.5, got, std::nextafter(got, infinity), got + 1e-6}) {
+                    QCOMPARE(lift.lift(pose, curve, hint, infinity, least), std::max(got, least));
+                    QCOMPARE(lift.reaches(pose, curve, hint, least), got >= least);
+                }
                 if (want == -infinity) {
                     QCOMPARE(got, want);
                     ++missed;
