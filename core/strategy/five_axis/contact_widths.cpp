@@ -57,14 +57,14 @@ void ContactWidths::find(std::vector<EstimatedContact>& contacts, double gap,
     });
 }
 
-std::span<const EstimatedContact> ContactWidths::find_about(std::vector<EstimatedContact>& contacts,
-                                                            std::size_t which, double gap,
-                                                            const Progress& progress) const {
-    const std::size_t begin = which / contacts_per_block * contacts_per_block;
-    const auto block =
-        std::span(contacts).subspan(begin, std::min(contacts_per_block, contacts.size() - begin));
-    find_block(block, gap, progress);
-    return block;
+std::size_t ContactWidths::blocks(std::size_t contacts) {
+    return (contacts + contacts_per_block - 1) / contacts_per_block;
+}
+
+std::span<EstimatedContact> ContactWidths::block(std::vector<EstimatedContact>& contacts,
+                                                 std::size_t number) {
+    const std::size_t begin = number * contacts_per_block;
+    return std::span(contacts).subspan(begin, std::min(contacts_per_block, contacts.size() - begin));
 }
 
 void ContactWidths::find_block(std::span<EstimatedContact> block, double gap,
@@ -90,14 +90,17 @@ void ContactWidths::find(EstimatedContact& contact, double gap, double& lead, To
 void ContactWidths::find_posture(EstimatedContact& contact, double& lead, ToolLift::Hint& hint) const {
     const auto& limits = field_.settings().lead_limits;
     const double step = std::min(field_.settings().grid_step, max_lead_step);
-    const auto lift = [&](double at) { return field_.builder().bottom(contact.place.frame, at, 0, hint); };
+    // Exact up to `most`, above it where it is more.
+    const auto lift = [&](double at, double most) {
+        return field_.builder().bottom(contact.place.frame, at, 0, hint, most);
+    };
     const double enough = lifted_share * field_.cusp();
     // From the neighbour's inclination: down as far as it serves, else up until it does.
-    double at = std::clamp(lead, limits[0], limits[1]), delta = lift(at);
+    double at = std::clamp(lead, limits[0], limits[1]), delta = lift(at, infinity);
     double best = at, best_delta = delta;
     if (delta <= enough) {
         while (at > limits[0]) {
-            const double lower = std::max(at - step, limits[0]), d = lift(lower);
+            const double lower = std::max(at - step, limits[0]), d = lift(lower, enough);
             if (!(d <= enough)) break;
             best = at = lower;
             best_delta = d;
@@ -105,7 +108,7 @@ void ContactWidths::find_posture(EstimatedContact& contact, double& lead, ToolLi
     } else {
         while (at < limits[1] && !(best_delta <= enough)) {
             at = std::min(at + step, limits[1]);
-            delta = lift(at);
+            delta = lift(at, best_delta);
             if (delta < best_delta) {
                 best = at;
                 best_delta = delta;
@@ -114,7 +117,7 @@ void ContactWidths::find_posture(EstimatedContact& contact, double& lead, ToolLi
         if (!(best_delta <= enough))
             for (at = std::clamp(lead, limits[0], limits[1]); at > limits[0];) {
                 at = std::max(at - step, limits[0]);
-                delta = lift(at);
+                delta = lift(at, best_delta);
                 if (delta < best_delta) {
                     best = at;
                     best_delta = delta;

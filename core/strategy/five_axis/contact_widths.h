@@ -30,9 +30,11 @@ public:
     /// Contacts that are neighbours on a line: postures, widths, whether they are left. `gap`: how far away
     /// the neighbouring pass is, mm; strips that are wide enough for it need no yaw.
     void find(std::vector<EstimatedContact>& contacts, double gap, const Progress& progress) const;
-    /// Those about one of the contacts before all others, which `find` finds after that. Returns them.
-    std::span<const EstimatedContact> find_about(std::vector<EstimatedContact>& contacts, std::size_t which,
-                                                 double gap, const Progress& progress) const;
+    /// How many blocks of contacts a line has that are found together; a block has the contacts of `block`.
+    static std::size_t blocks(std::size_t contacts);
+    static std::span<EstimatedContact> block(std::vector<EstimatedContact>& contacts, std::size_t number);
+    /// The contacts of one block, which `find` leaves as they are after that.
+    void find_block(std::span<EstimatedContact> block, double gap, const Progress& progress) const;
     /// One contact; the search begins at `lead`, which becomes the lead found. Says nothing of `left`.
     void find(EstimatedContact& contact, double gap, double& lead, ToolLift::Hint& hint) const;
 
@@ -40,8 +42,6 @@ public:
     bool yawed() const { return !yaws_.empty(); }
 
 private:
-    /// Contacts that one thread takes one after the other.
-    void find_block(std::span<EstimatedContact> block, double gap, const Progress& progress) const;
     void find_posture(EstimatedContact& contact, double& lead, ToolLift::Hint& hint) const;
     /// The widths of its posture; where they are not enough for a gap (mm), of the one that comes nearest to
     /// that.

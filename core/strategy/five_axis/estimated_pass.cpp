@@ -1,5 +1,6 @@
 #include "core/strategy/five_axis/estimated_pass.h"
 
+#include "core/base/parallel.h"
 #include "core/strategy/five_axis/strip_width.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ std::optional<EstimatedPass> PassEstimator::estimate(long plane, int travel, dou
     cut_lines(pass, within);
     if (refusal.lines && refusal.lines(pass)) return std::nullopt;
     place_contacts(pass);
-    if (refusal.contact && is_refused(pass, gap, refusal, progress)) return std::nullopt;
+    if (refusal.contacts && is_refused(pass, gap, refusal, progress)) return std::nullopt;
     const std::vector<EstimatedContact> between = find_contacts(pass, gap, progress);
     // Postures with a yaw may be free at the last contact and not where the pass goes on.
     if (widths_.yawed()) answer_beyond_ends(pass, gap);
@@ -130,19 +131,33 @@ void PassEstimator::place_contacts(EstimatedPass& pass) const {
 
 bool PassEstimator::is_refused(EstimatedPass& pass, double gap, const Refusal& refusal,
                                const Progress& progress) const {
-    std::vector<EstimatedContact>* on = nullptr;
-    std::size_t which = 0;
-    double nearest = infinity;
+    struct Block {
+        std::span<EstimatedContact> contacts;
+        double likely;
+    };
+    std::vector<Block> blocks;
     for (auto& contacts : pass.contacts)
-        for (std::size_t i = 0; i < contacts.size(); ++i)
-            if (const double away = std::abs(contacts[i].place.u - refusal.u); away < nearest) {
-                nearest = away;
-                on = &contacts;
-                which = i;
-            }
-    if (!on) return false;
-    const auto found = widths_.find_about(*on, which, gap, progress);
-    return std::any_of(found.begin(), found.end(), refusal.contact);
+        for (std::size_t b = 0; b < ContactWidths::blocks(contacts.size()); ++b) {
+            Block block{ContactWidths::block(contacts, b), -infinity};
+            for (const EstimatedContact& c : block.contacts)
+                block.likely = std::max(block.likely, refusal.likely[bins_.at(c.place.u)]);
+            blocks.push_back(block);
+        }
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Block& a, const Block& b) { return a.likely > b.likely; });
+    // Several threads take more and more at a time, so that they seldom wait for each other.
+    const auto threads = std::size_t(thread_count());
+    std::size_t begin = 0, count = threads;
+    while (begin < blocks.size()) {
+        const std::size_t end = std::min(begin + count, blocks.size());
+        parallel_for(end - begin, 1, progress.part(0, 0),
+                     [&](std::size_t i) { widths_.find_block(blocks[begin + i].contacts, gap, progress); });
+        for (std::size_t i = begin; i < end; ++i)
+            if (refusal.contacts(pass, blocks[i].contacts)) return true;
+        begin = end;
+        if (threads > 1) count *= 2;
+    }
+    return false;
 }
 
 std::vector<EstimatedContact> PassEstimator::find_contacts(EstimatedPass& pass, double gap,

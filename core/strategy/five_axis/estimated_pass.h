@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -60,11 +61,13 @@ public:
     EstimatedPass estimate(long plane, int travel, double gap, const BinRange& within,
                            const Progress& progress) const;
 
-    /// What tells of a pass, before all of it is known, that it is not wanted.
+    /// What tells of a pass, before all of it is known, that it is not wanted. It never changes a pass.
     struct Refusal {
-        std::function<bool(const EstimatedPass&)> lines;      ///< by its lines, before its contacts
-        std::function<bool(const EstimatedContact&)> contact; ///< by one of the contacts about `u`
-        double u = 0;
+        std::function<bool(const EstimatedPass&)> lines; ///< by its lines, before its contacts
+        /// By contacts of the pass that are known, each given once; those first that lie in bins where
+        /// `likely` is larger. Called by one thread.
+        std::function<bool(const EstimatedPass&, std::span<const EstimatedContact>)> contacts;
+        std::vector<double> likely; ///< per bin of u
     };
     /// The same pass; nothing where it is refused.
     std::optional<EstimatedPass> estimate(long plane, int travel, double gap, const BinRange& within,
@@ -83,7 +86,7 @@ private:
     /// Lines of the pass's plane within some bins.
     void cut_lines(EstimatedPass& pass, const BinRange& within) const;
     void place_contacts(EstimatedPass& pass) const;
-    /// True where a contact about refusal.u, found before all others, refuses the pass.
+    /// Finds contacts of all lines, block by block, until they refuse the pass. True where they do.
     bool is_refused(EstimatedPass& pass, double gap, const Refusal& refusal, const Progress& progress) const;
     /// Finds the contacts of all lines. Returns those half-way between contacts that are far apart: there the
     /// strip has to be as wide.

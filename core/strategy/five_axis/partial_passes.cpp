@@ -125,7 +125,28 @@ double PartialPasses::partial_count(const EstimatedPass& a, const EstimatedPass*
     if (a.comes[i] && std::isfinite(a.width_hi[i])) width += a.width_hi[i];
     if (b && b->comes[i] && std::isfinite(b->width_lo[i])) width += b->width_lo[i];
     if (a.unfree[i] || (b && b->unfree[i])) width = std::max(width, std::min(unfree_gap_, gap));
-    return std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+    return passes_in(gap, width);
+}
+
+std::array<double, 2> PartialPasses::least_partial(const EstimatedPass& last, const Found& found,
+                                                   const BinRange& within,
+                                                   std::vector<double>& likely) const {
+    const double gap = found.v - last.v;
+    double travel = 0, length = 0, most = 0, beyond = 0;
+    for (std::size_t i = within.first; i <= within.last; ++i) {
+        if (!last.comes[i] || !std::isfinite(last.width_hi[i])) continue;
+        // Contacts that are not known can only make strips narrower, or have no posture.
+        const double width = last.width_hi[i] + found.width_lo[i];
+        if (!(width < gap - 0.5 * field_.lines().spacing())) continue;
+        const double passes = passes_in(gap, std::max(width, std::min(unfree_gap_, gap)));
+        travel += passes * bins_.width();
+        length += bins_.width();
+        most = std::max({most, passes, 1.0});
+        beyond = stepover_.passes().behind();
+        likely[i] = gap - width;
+    }
+    travel += most * (2 * beyond + (most > 0 ? partial_cost * field_.radius() : 0));
+    return {travel, (length + 2 * beyond) / (double(within.last + 1 - within.first) * bins_.width())};
 }
 
 double PartialPasses::travel_per_width(const EstimatedPass& last, const EstimatedPass& next,
@@ -184,13 +205,39 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
         best = std::move(p);
         return true;
     };
-    // Its own travel alone may be too much.
-    const PassEstimator::Refusal too_long{
-        [&](const EstimatedPass& p) { return !(own_travel(p) < least * (p.v - last.v)); }, nullptr};
+    // The pass that asks for none will be among them.
+    const bool whole_serves = whole.satisfied && !(partial_share(last, whole.pass, within) > max_partial);
+    const double whole_travel = whole_serves ? travel_per_width(last, whole.pass, within) : infinity;
+    const long whole_plane = whole.pass.plane;
+    const double whole_gap = whole.pass.v - last.v;
+    std::vector<double> likely(bins_.count(), 0);
     const auto tried = [&](double step) {
-        const long plane = last.plane + std::max(1L, std::lround(step / lines.spacing()));
-        auto p = stepover_.passes().estimate(std::min(plane, end - 1), travel, step, within, too_long,
-                                             progress.part(0, 0));
+        const long plane = std::min(last.plane + std::max(1L, std::lround(step / lines.spacing())), end - 1);
+        if (whole_serves && plane == whole_plane
+            && std::abs(step - whole_gap) <= tolerance::level_angle * step)
+            return false; // the same pass
+        Found found{lines.v(plane), 0, std::vector<double>(bins_.count(), infinity)};
+        const double refused =
+            std::min(least, whole_travel) * (found.v - last.v) * (1 + tolerance::level_angle);
+        PassEstimator::Refusal refusal;
+        // Its own travel alone may be too much.
+        refusal.lines = [&](const EstimatedPass& p) {
+            found.own_travel = own_travel(p);
+            return !(found.own_travel < refused);
+        };
+        refusal.likely = likely;
+        refusal.contacts = [&](const EstimatedPass& p, std::span<const EstimatedContact> contacts) {
+            for (const EstimatedContact& c : contacts) {
+                if (!c.usable || c.left) continue;
+                const double width = std::max(c.width_lo, stepover_.passes().min_width());
+                const auto [from, to] = stepover_.passes().cleared(c.place.u, p.travel);
+                for (std::size_t b = bins_.at(from); b <= bins_.at(to); ++b)
+                    found.width_lo[b] = std::min(found.width_lo[b], width);
+            }
+            const auto [partial, share] = least_partial(last, found, within, likely);
+            return !(found.own_travel + partial < refused) || (whole.satisfied && share > max_partial);
+        };
+        auto p = stepover_.passes().estimate(plane, travel, step, within, refusal, progress.part(0, 0));
         return p && better(std::move(*p));
     };
     const double most = std::max(std::min(largest_, rest), smallest_);

@@ -59,6 +59,19 @@ private:
     double partial_count(const EstimatedPass& a, const EstimatedPass* b, std::size_t bin) const;
     /// What the partial passes between two passes travel, mm.
     double partial_travel(const EstimatedPass& a, const EstimatedPass* b, const BinRange& within) const;
+    /// How many of them leave nothing in a gap where the strips beside it are so wide, mm.
+    double passes_in(double gap, double width) const {
+        return std::max(std::ceil(gap / std::max(width, smallest_)) - 1, 0.0);
+    }
+    /// What is known of a pass in the plane v after `last` while contacts of it are found.
+    struct Found {
+        double v = 0, own_travel = 0;
+        std::vector<double> width_lo; ///< per bin: no more than this; +inf: nothing is known
+    };
+    /// The least that its partial passes can travel, mm, and the least share of the travel that they can be
+    /// asked for on. Sets `likely` where they are.
+    std::array<double, 2> least_partial(const EstimatedPass& last, const Found& found, const BinRange& within,
+                                        std::vector<double>& likely) const;
     /// What a pass travels itself, mm.
     double own_travel(const EstimatedPass& pass) const;
     /// What a pass after `last` travels with the partial ones before it, mm for each mm of width.

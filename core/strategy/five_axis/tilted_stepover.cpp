@@ -65,18 +65,6 @@ double TiltedStepOver::missing(const EstimatedPass& last, double v, int travel,
     return gap;
 }
 
-double TiltedStepOver::hardest(const EstimatedPass& last, const EstimatedPass& pass,
-                               const BinRange& within) const {
-    double u = std::numeric_limits<double>::quiet_NaN(), most = 0;
-    for (const auto& contacts : pass.contacts)
-        for (const EstimatedContact& c : contacts)
-            if (const double gap = missing(last, pass.v, pass.travel, c, within); gap > most) {
-                most = gap;
-                u = c.place.u;
-            }
-    return u;
-}
-
 TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel, double usual,
                                           const EstimatedPass* limit, const BinRange& within,
                                           const Progress& progress) const {
@@ -88,15 +76,28 @@ TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel,
     const long least = steps(last ? smallest : 0.5 * smallest);
     const long most = std::max(least, std::min(steps(last ? largest : 0.5 * largest), end - 1 - from));
     double hard_u = last ? last->hardest_u : std::numeric_limits<double>::quiet_NaN();
+    // Where one step asked for too much, a smaller one most likely does.
+    std::vector<double> asked(bins().count(), -infinity);
+    if (!std::isnan(hard_u)) asked[bins().at(hard_u)] = infinity;
+    double hardest = 0;
     const auto tried = [&](long step, bool refusable) {
         progress.check();
         const double gap = double(step) * lines.spacing(), v = lines.v(from + step);
         PassEstimator::Refusal refusal;
-        // Where one step asked for too much, a smaller one most likely does.
-        if (refusable && last && !std::isnan(hard_u))
-            refusal = {nullptr,
-                       [&](const EstimatedContact& c) { return missing(*last, v, travel, c, within) > 0; },
-                       hard_u};
+        hardest = 0;
+        if (refusable && last) {
+            refusal.likely = asked;
+            refusal.contacts = [&, v](const EstimatedPass&, std::span<const EstimatedContact> contacts) {
+                for (const EstimatedContact& c : contacts) {
+                    const double more = missing(*last, v, travel, c, within);
+                    asked[bins().at(c.place.u)] = more;
+                    if (!(more > hardest)) continue;
+                    hardest = more;
+                    hard_u = c.place.u;
+                }
+                return hardest > 0;
+            };
+        }
         return passes_.estimate(from + step, travel, last ? gap : 2 * gap, within, refusal,
                                 progress.part(0, 0));
     };
@@ -112,7 +113,6 @@ TiltedStepOver::Step TiltedStepOver::next(const EstimatedPass* last, int travel,
             // Not known to fail anywhere near: reach out.
             step = bad > most ? std::min(most, std::max(good + 1, good + good / 6)) : (good + bad) / 2;
         } else {
-            if (p && last) hard_u = hardest(*last, *p, within);
             bad = step;
             if (bad <= least) break;
             step = good > 0 ? (good + bad) / 2 : std::max(least, bad - std::max(1L, bad / 6));

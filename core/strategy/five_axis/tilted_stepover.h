@@ -59,8 +59,6 @@ private:
     /// they do so most; -inf where nothing asks them to meet.
     double missing(const EstimatedPass& last, double v, int travel, const EstimatedContact& contact,
                    const BinRange& within) const;
-    /// Where a contact's strip misses that of `last` most; NaN where none does.
-    double hardest(const EstimatedPass& last, const EstimatedPass& pass, const BinRange& within) const;
     bool surface_between(double v0, double v1, std::size_t bin) const;
 
     const FiveAxisField& field_;
