@@ -200,8 +200,10 @@ private:
         return path;
     }
 
-    /// Stops around one: a grid of 3 by 3 with the given step, those of it that are free.
-    Stops around(std::size_t i, const PostureValue& middle, double step) const {
+    /// Stops around one: a grid of 3 by 3 with the given step, those of it that are free. `known`: stops of
+    /// the point that were found before, all of a posture's.
+    Stops around(std::size_t i, const PostureValue& middle, double step,
+                 const std::vector<Stop>& known) const {
         const PassPoint& point = points_[i];
         const PostureGrid& grid = *builder_.input().grid;
         CSpaceBuilder::Hints hints;
@@ -215,7 +217,10 @@ private:
                 const double lead = std::clamp(middle.lead + l * step, grid.lead.front(), grid.lead.back());
                 const double yaw = std::clamp(middle.yaw + o * step, grid.yaw.front(), grid.yaw.back());
                 if ((l != 0 && lead == middle.lead) || (o != 0 && yaw == middle.yaw)) continue;
-                stops_.add_free(point, lead, yaw, hints, stops.all);
+                const std::size_t before = stops.all.size();
+                for (const Stop& s : known)
+                    if (s.posture.lead == lead && s.posture.yaw == yaw) stops.all.push_back(s);
+                if (stops.all.size() == before) stops_.add_free(point, lead, yaw, hints, stops.all);
             }
         return stops;
     }
@@ -254,9 +259,10 @@ private:
                       : grid.yaw.size() > 1 ? grid.yaw[1] - grid.yaw[0]
                                             : 0;
         double seconds = seconds_of(path);
+        std::vector<Stops> finer(stops.size());
+        std::vector<char> found(stops.size(), 0);
         for (int refinement = 0; refinement < refinements && step > 0; ++refinement) {
             step *= 0.5;
-            std::vector<Stops> finer(stops.size());
             std::vector<PostureValue> middles(end - begin);
             for (int round = 0; round < rounds_per_step; ++round) {
                 parallel_for(end - begin, points_per_block, progress.part(0, 0), [&](std::size_t k) {
@@ -265,8 +271,10 @@ private:
                     // Where the round before led nowhere else its stops serve again.
                     if (round > 0 && middle.lead == middles[k].lead && middle.yaw == middles[k].yaw) return;
                     middles[k] = middle;
-                    here = around(begin + k, middle, step);
+                    static const std::vector<Stop> none;
+                    here = around(begin + k, middle, step, found[begin + k] ? here.all : none);
                     // The middle is free by construction; should rounding say otherwise it is kept as it was.
+                    found[begin + k] = !here.empty();
                     if (here.empty()) here.all.push_back(path[k]);
                 });
                 std::vector<JointClock::Times> speeds;

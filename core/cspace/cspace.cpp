@@ -102,7 +102,10 @@ std::optional<CSpaceBuilder::Free> CSpaceBuilder::free(const ContactFrame& frame
                                                        Hints& hints) const {
     const CutterProfile& cutter = input_.lift->cutter();
     if (!can_touch(cutter, lead, input_.height)) return std::nullopt;
-    const ToolPose pose = posture_pose(cutter, frame, {lead, yaw, 0});
+    const LeanTerms lean(lead);
+    const TurnTerms turn(yaw);
+    const Vec2 at = plane_contact(cutter, lean.angle);
+    const ToolPose pose = lean.pose(at, frame, turn, 0);
     // The top first: the curves are short, and where it is below 0 that is all.
     hints.top.resize(std::max(hints.top.size(), curves.size()));
     double top = infinity;
@@ -111,7 +114,8 @@ std::optional<CSpaceBuilder::Free> CSpaceBuilder::free(const ContactFrame& frame
         if (!(top >= 0)) return std::nullopt;
     }
     const Free found{{lead, yaw, input_.lift->lift_above(pose, 0, top, hints.bottom)}, top};
-    if (!(found.posture.delta <= top) || !holds(frame, found.posture)) return std::nullopt;
+    if (!(found.posture.delta <= top) || !holds(lean.pose(at, frame, turn, found.posture.delta)))
+        return std::nullopt;
     return found;
 }
 
