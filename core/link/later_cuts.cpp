@@ -12,8 +12,8 @@ constexpr double tile_radii = 2, max_tiles = 1024;
 
 } // namespace
 
-LaterCuts::LaterCuts(StockField field, const CutterProfile& cutter, double lowest)
-    : field_(std::move(field)), cutter_(cutter) {
+LaterCuts::LaterCuts(StockField field, const CutterProfile& cutter, double lowest, const Progress& progress)
+    : field_(std::move(field)), cutter_(cutter), progress_(progress.part(1, 1)) {
     const bool at_once = is_undercut(cutter) || !(lowest + cutter.height() >= field_.highest());
     if (field_.box().empty() || at_once) return;
     const Vec3 size = field_.box().size();
@@ -39,7 +39,7 @@ void LaterCuts::feed(const Vec3& from, const Vec3& to) {
     const Vec2 a = from.head<2>(), b = to.head<2>(), beside = Vec2::Constant(cutter_.radius());
     const Tiles all = tiles(a.cwiseMin(b) - beside, a.cwiseMax(b) + beside);
     const auto number = std::uint32_t(fed_.size());
-    fed_.emplace_back(from, to);
+    fed_.push_back({from, to});
     cut_.push_back(0);
     for (int row = all.row0; row <= all.row1; ++row)
         for (int column = all.column0; column <= all.column1; ++column)
@@ -67,8 +67,10 @@ const StockField& LaterCuts::about(const Vec2& a, const Vec2& b, double radius) 
         take(tiles(p.cwiseMin(q) - beside, p.cwiseMax(q) + beside), now);
     }
     std::sort(now.begin(), now.end());
+    std::vector<StockField::Motion> cuts;
     for (const std::uint32_t i : now)
-        if (!std::exchange(cut_[i], char(1))) field_.cut(cutter_, fed_[i].first, fed_[i].second);
+        if (!std::exchange(cut_[i], char(1))) cuts.push_back(fed_[i]);
+    field_.cut(cutter_, cuts, progress_);
     return field_;
 }
 

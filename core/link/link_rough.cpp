@@ -44,13 +44,18 @@ public:
             if (path_.passes[i].cl.empty()) continue;
             add(path_.passes[i], Index(i));
         }
-        if (started_) up_to(result_.clearance_z);
+        if (started_) {
+            cut_fed();
+            up_to(result_.clearance_z);
+            cut_fed();
+        }
         progress_.set(1);
         return std::move(result_);
     }
 
 private:
     void add(const Pass& pass, Index index) {
+        cut_fed();
         const CutterLocation& first = pass.cl.front();
         const Vec3 start = pass.entry.empty() ? first.tip : pass.entry.front().tip;
         if (!join_at_feed(pass, start)) {
@@ -94,6 +99,7 @@ private:
             const double z =
                 std::clamp(over + options_.clearance, std::max(at_.z(), start.z()), result_.clearance_z);
             up_to(z);
+            cut_fed();
             rapid(Vec3(b.x(), b.y(), at_.z()));
         }
         const double down = std::max({clear_height(b, b), reach_.tip_z(b, hints_), start.z()})
@@ -103,7 +109,7 @@ private:
 
     /// What tips must stay above on a level way, for the whole tool.
     double clear_height(const Vec2& a, const Vec2& b) const {
-        return std::max(field_.clear_height(cutter_, a, b), bodies_.clear_height(field_, a, b));
+        return bodies_.clear_height(field_, a, b, field_.clear_height(cutter_, a, b));
     }
 
     /// Out of the cut at feed, the rest in a rapid.
@@ -124,12 +130,16 @@ private:
     void feed(MotionKind kind, const Vec3& to) {
         const Vec3 route = to - at_;
         const double n = std::max(1.0, std::ceil(route.norm() / (air_piece * profile_.max_radius())));
-        for (double k = 0; k < n; ++k) {
-            const Vec3 a = at_ + (k / n) * route, b = at_ + ((k + 1) / n) * route;
-            if (!field_.has_work(cutter_, a, b, least())) result_.air_length += (b - a).norm();
-            field_.cut(cutter_, a, b);
-        }
+        for (double k = 0; k < n; ++k)
+            fed_.push_back({at_ + (k / n) * route, at_ + ((k + 1) / n) * route});
         put(kind, to);
+    }
+    /// What was fed since the last time, before the stock is asked again.
+    void cut_fed() {
+        const std::vector<char> work = field_.cut_telling_work(cutter_, fed_, least(), progress_.part(0, 0));
+        for (std::size_t i = 0; i < fed_.size(); ++i)
+            if (!work[i]) result_.air_length += (fed_[i][1] - fed_[i][0]).norm();
+        fed_.clear();
     }
     void put(MotionKind kind, const Vec3& to) {
         result_.motions.push_back({kind, {to, Vec3(0, 0, 1)}, no_index, no_index});
@@ -150,6 +160,7 @@ private:
     ToolMotions result_;
     Vec3 at_ = Vec3::Zero();
     bool started_ = false;
+    std::vector<StockField::Motion> fed_; ///< and not yet cut
 };
 
 } // namespace

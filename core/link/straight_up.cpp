@@ -27,7 +27,7 @@ StraightUp::StraightUp(const Tool& tool) {
 }
 
 bool StraightUp::stands_above(const StockField& field, const Vec2& a, const Vec2& b, double z) const {
-    return field.highest_near(a, b, radius_, z + height_) > z + height_;
+    return field.no_higher() > z + height_ && field.highest_near(a, b, radius_, z + height_) > z + height_;
 }
 
 bool StraightUp::is_free(const StockField& field, const Vec3& tip) const {

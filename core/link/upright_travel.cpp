@@ -47,20 +47,31 @@ UprightTravel::UprightTravel(const PlanContext& context, double allowance, const
         reach_ = std::max(reach_, 0.5 * s.diameter + profile_.max_radius());
     reach_ = std::max(reach_, 0.5 * context.tool.shank_diameter + profile_.max_radius());
     stock_.emplace(stock_before(context, field_cell_share * profile_.max_radius(), progress), profile_,
-                   lowest);
+                   lowest, progress);
+}
+
+/// What tips must stay above on a level way, for the whole tool, where that is above `known`. Of what was cut
+/// farther away than the cutter reaches only shank and holder ask, where something stands as high as they.
+double UprightTravel::clear_height(const Vec2& a, const Vec2& b, double known) {
+    const double by_cutter =
+        std::max(known, stock_->about(a, b, cutter_.radius()).clear_height(cutter_, a, b));
+    if (stock_->highest() - stock_bodies_.lowest_base() <= by_cutter) return by_cutter;
+    return stock_bodies_.clear_height(stock_->about(a, b, reach_), a, b, by_cutter);
 }
 
 double UprightTravel::down_to(const Vec3& tip, double top) {
     if (!stock_) return top;
     const Vec2 p = tip.head<2>();
-    const StockField& field = stock_->about(p, p, reach_);
-    const double stands =
-        std::max({field.clear_height(cutter_, p, p), stock_bodies_.clear_height(field, p, p), tip.z()});
+    const double stands = clear_height(p, p, tip.z());
     return std::min(top, stands + clearance_);
 }
 
 double UprightTravel::up_from(const Vec3& tip, double top) {
     if (!stock_ || up_.is_undercut()) return top;
+    // Mostly nothing stands as high as they begin, and what was cut where need not be known.
+    const double above = stock_->highest() - tip.z();
+    if (above <= std::min(stock_bodies_.lowest_base(), cutter_.height()))
+        return std::min(top, tip.z() + clearance_);
     // Shank and holder may have been brought into stock that nobody roughed.
     const Vec2 p = tip.head<2>();
     const StockField& field = stock_->about(p, p, reach_);
@@ -119,8 +130,7 @@ bool UprightTravel::is_clear(const Vec3& place, const Vec3& tip) {
 
 /// The lowest tip of a level rapid, or `top_` where nothing is gained by knowing more.
 double UprightTravel::level(const Vec2& a, const Vec2& b, const Progress& progress) {
-    const StockField& field = stock_->about(a, b, reach_);
-    double z = std::max(field.clear_height(cutter_, a, b), stock_bodies_.clear_height(field, a, b));
+    double z = clear_height(a, b, -infinity);
     const double n = std::max(1.0, std::ceil((b - a).norm() / wide_spacing_));
     LiftHint hint;
     HolderReach::Hints hints;

@@ -66,6 +66,7 @@ public:
 private:
     bool is_clear(const Vec3& place, const Vec3& tip);
     std::vector<Vec3> places_beside(const Vec3& tip, double no_farther);
+    double clear_height(const Vec2& a, const Vec2& b, double known);
     double level(const Vec2& a, const Vec2& b, const Progress& progress);
     std::optional<Vec3> lowest_beside(const Vec3& tip, const Progress& progress);
     double cost(const Route& route, const Vec3& from, const Vec3& to) const;

@@ -63,10 +63,12 @@ UprightBodies::UprightBodies(const Tool& tool, const CutterProfile& profile, dou
         add(s.diameter, s.length);
 }
 
-double UprightBodies::clear_height(const StockField& field, const Vec2& a, const Vec2& b) const {
-    double z = -infinity;
+double UprightBodies::clear_height(const StockField& field, const Vec2& a, const Vec2& b,
+                                   double known) const {
+    double z = known;
     for (const Body& body : bodies_)
-        if (!body.inside) z = std::max(z, field.highest_near(a, b, body.radius) - body.base);
+        if (!body.inside && field.no_higher() - body.base > z)
+            z = std::max(z, field.highest_near(a, b, body.radius) - body.base);
     return z;
 }
 
@@ -79,6 +81,7 @@ double UprightBodies::widest() const {
 
 bool UprightBodies::clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const {
     for (const Body& body : bodies_) {
+        if (field.no_higher() <= z + body.base) continue;
         // A shank as thick as its cutter slides along what the layers above have cut, and cells that the wall
         // crosses stand high: only cells that are wholly under it count.
         const double inset = field.cell() * std::numbers::sqrt2;

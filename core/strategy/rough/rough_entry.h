@@ -22,7 +22,9 @@ public:
     double sliding_base() const { return sliding_; }
     /// What the tip must be above on a level line from a to b so that none of them touches what may stand.
     /// Those no wider than the cutter need nothing of their own where the cutter itself is clear.
-    double clear_height(const StockField& field, const Vec2& a, const Vec2& b) const;
+    /// Where that is no more than `known` any height that is not.
+    double clear_height(const StockField& field, const Vec2& a, const Vec2& b,
+                        double known = -infinity) const;
     double widest() const; ///< radius
     /// True when none of them meets the stock on a level motion of the tip from a to b.
     bool clear(const StockField& field, const Vec2& a, const Vec2& b, double z) const;

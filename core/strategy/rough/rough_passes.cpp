@@ -110,12 +110,14 @@ bool RoughPasses::join(RoughRoute& route, const LayerRoutes& routes, std::span<c
         if (!bodies_.clear(field_, points[i - 1], i < points.size() ? points[i] : route.points.front(), z_))
             return false;
     points.insert(points.end(), route.points.begin(), route.points.end());
+    std::vector<StockField::Motion> cuts;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Vec3 tip(points[i].x(), points[i].y(), z_);
-        field_.cut(cutter_, last.cl.back().tip, tip);
+        cuts.push_back({last.cl.back().tip, tip});
         last.cl.push_back({tip, Vec3(0, 0, 1)});
         last.cc.push_back({tip, Vec3(0, 0, 1)});
     }
+    field_.cut(cutter_, cuts, progress_.part(0, 0));
     at_ = route.points.back();
     return true;
 }
@@ -184,16 +186,18 @@ void RoughPasses::take(const std::vector<Vec3>& tips, const std::vector<Vec3>& d
     pass.drive = -1;
     pass.layer = layer;
     const Vec3 up(0, 0, 1);
+    std::vector<StockField::Motion> cuts;
     for (std::size_t i = 0; i < down.size(); ++i) {
         pass.entry.push_back({down[i], up});
-        if (i > 0) field_.cut(cutter_, down[i - 1], down[i]);
+        if (i > 0) cuts.push_back({down[i - 1], down[i]});
     }
     for (const Vec3& tip : tips) {
-        if (!pass.cl.empty()) field_.cut(cutter_, pass.cl.back().tip, tip);
+        if (!pass.cl.empty()) cuts.push_back({pass.cl.back().tip, tip});
         pass.cl.push_back({tip, up});
         pass.cc.push_back({tip, up});
     }
-    if (pass.cl.size() == 1) field_.cut(cutter_, pass.cl.front().tip, pass.cl.front().tip);
+    if (pass.cl.size() == 1) cuts.push_back({pass.cl.front().tip, pass.cl.front().tip});
+    field_.cut(cutter_, cuts, progress_.part(0, 0));
     at_ = tips.back().head<2>();
     passes_.push_back(std::move(pass));
 }

@@ -12,11 +12,7 @@ StockField stock_before(const PlanContext& context, double cell, const Progress&
     if (from > -infinity) field.forget_below(from);
     for (const auto& earlier : context.earlier) {
         const StockCutter cutter{CutterProfile(earlier->cutter)};
-        std::size_t done = 0;
-        for (const auto& [a, b] : earlier->motions) {
-            if (++done % 64 == 0) progress.check();
-            field.cut(cutter, a, b);
-        }
+        field.cut(cutter, earlier->motions, progress.part(0.5, 0.5));
     }
     progress.set(1);
     return field;

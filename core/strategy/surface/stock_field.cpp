@@ -1,6 +1,7 @@
 #include "core/strategy/surface/stock_field.h"
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/gouge/axial_lift.h"
 
@@ -13,6 +14,11 @@ namespace {
 
 /// Pieces of a motion are this many radii long: their boxes hold little that the cutter does not reach.
 constexpr double piece_radii = 2;
+/// From so many motions on it is worth to share their rows among threads, in so many bands at most, of so
+/// many rows at least.
+constexpr std::size_t band_motions = 16, max_bands = 32, min_band = 2;
+/// Motions between two looks at the cancel flag.
+constexpr std::size_t motions_per_check = 64;
 
 } // namespace
 
@@ -138,6 +144,7 @@ void StockField::find_run_tops() {
             double& top = run_tops_[std::size_t(row) * std::size_t(run_columns_) + std::size_t(column / run)];
             top = std::max(top, cells_[at(column, row)].top);
         }
+    no_higher_ = highest();
 }
 
 void StockField::forget_below(double z) {
@@ -147,62 +154,73 @@ void StockField::forget_below(double z) {
     find_run_tops();
 }
 
-template <class Field, class Wanted, class Visit>
-void StockField::near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                           Wanted&& wanted, Visit&& visit, const Vec2& ahead) {
-    if (field.cells_.empty()) return;
-    const double cell_ = field.cell_;
-    const Box3& box_ = field.box_;
-    const Vec2 motion = b - a;
-    const double square = motion.squaredNorm();
-    const auto first = [&](double x, double lo) {
-        return int(std::clamp(std::floor((x - reach - lo) / cell_ - 0.5), 0.0, 2e9));
-    };
-    const auto last = [&](double x, double lo, int n) {
-        return int(std::clamp(std::ceil((x + reach - lo) / cell_ - 0.5), -1.0, double(n - 1)));
-    };
-    const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
-    const int row1 = last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_);
-    const int all0 = first(x0, box_.lo.x()), all1 = last(x1, box_.lo.x(), field.columns_);
-    const double reach_square = reach * reach;
-    for (int row = first(std::min(a.y(), b.y()), box_.lo.y()); row <= row1; ++row) {
-        auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
-        auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
-        int column0 = all0, column1 = all1;
-        // (x - a.x) ahead.x > -(y - a.y) ahead.y, and a cell more.
-        const double y = field.center(0, row).y(), level = (a.y() - y) * ahead.y();
-        if (ahead.x() != 0) {
-            const double column = std::clamp((a.x() + level / ahead.x() - box_.lo.x()) / cell_, -2.0, 2e9);
-            if (ahead.x() > 0)
-                column0 = std::max(column0, int(column) - 1);
-            else
-                column1 = std::min(column1, int(column) + 1);
-        } else if (level > cell_ * std::abs(ahead.y())) {
-            continue;
-        }
-        for (int begin = column0; begin <= column1;) {
-            const int start = begin / run * run, end = std::min(column1, start + run - 1);
-            if (tops[begin / run] > floor) {
-                for (int column = begin; column <= end; ++column) {
-                    auto& cell = cells[column];
-                    if (!wanted(cell)) continue;
-                    const Vec2 p = field.center(column, row) - a;
-                    const double t = square > 0 ? std::clamp(p.dot(motion) / square, 0.0, 1.0) : 0;
-                    const double d2 = (p - t * motion).squaredNorm();
-                    if (d2 > reach_square) continue;
-                    if (!visit(cell, d2, t)) return;
-                }
-                if constexpr (!std::is_const_v<Field>) {
-                    double top = -infinity;
-                    for (int column = start; column < std::min(field.columns_, start + run); ++column)
-                        top = std::max(top, cells[column].top);
-                    tops[begin / run] = top;
-                }
+/// The cells near a line.
+struct CellsNear {
+    /// visit(cell, square of its centre's distance from the line, share of the line nearest to it) for cells
+    /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
+    /// `floor`; ends when visit returns false. Most cells near a line are cut already: `wanted` is asked
+    /// first.
+    /// `ahead`: only what lies on this side of a, if it is not 0; little else is visited then.
+    template <class Field, class Wanted, class Visit>
+    static void line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor, Wanted&& wanted,
+                     Visit&& visit, const StockRows& rows = {}, const Vec2& ahead = Vec2::Zero()) {
+        if (field.cells_.empty()) return;
+        const double cell_ = field.cell_;
+        const Box3& box_ = field.box_;
+        const Vec2 motion = b - a;
+        const double square = motion.squaredNorm();
+        const auto first = [&](double x, double lo) {
+            return int(std::clamp(std::floor((x - reach - lo) / cell_ - 0.5), 0.0, 2e9));
+        };
+        const auto last = [&](double x, double lo, int n) {
+            return int(std::clamp(std::ceil((x + reach - lo) / cell_ - 0.5), -1.0, double(n - 1)));
+        };
+        const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
+        const int row1 = std::min(last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_), rows.last);
+        const int all0 = first(x0, box_.lo.x()), all1 = last(x1, box_.lo.x(), field.columns_);
+        const double reach_square = reach * reach;
+        for (int row = std::max(first(std::min(a.y(), b.y()), box_.lo.y()), rows.first); row <= row1; ++row) {
+            auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
+            auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
+            int column0 = all0, column1 = all1;
+            // (x - a.x) ahead.x > -(y - a.y) ahead.y, and a cell more.
+            const double y = field.center(0, row).y(), level = (a.y() - y) * ahead.y();
+            if (ahead.x() != 0) {
+                const double column =
+                    std::clamp((a.x() + level / ahead.x() - box_.lo.x()) / cell_, -2.0, 2e9);
+                if (ahead.x() > 0)
+                    column0 = std::max(column0, int(column) - 1);
+                else
+                    column1 = std::min(column1, int(column) + 1);
+            } else if (level > cell_ * std::abs(ahead.y())) {
+                continue;
             }
-            begin = end + 1;
+            for (int begin = column0; begin <= column1;) {
+                const int start = begin / field.run * field.run,
+                          end = std::min(column1, start + field.run - 1);
+                if (tops[begin / field.run] > floor) {
+                    for (int column = begin; column <= end; ++column) {
+                        auto& cell = cells[column];
+                        if (!wanted(cell)) continue;
+                        const Vec2 p = field.center(column, row) - a;
+                        const double t = square > 0 ? std::clamp(p.dot(motion) / square, 0.0, 1.0) : 0;
+                        const double d2 = (p - t * motion).squaredNorm();
+                        if (d2 > reach_square) continue;
+                        if (!visit(cell, d2, t)) return;
+                    }
+                    if constexpr (!std::is_const_v<Field>) {
+                        double top = -infinity;
+                        for (int column = start; column < std::min(field.columns_, start + field.run);
+                             ++column)
+                            top = std::max(top, cells[column].top);
+                        tops[begin / field.run] = top;
+                    }
+                }
+                begin = end + 1;
+            }
         }
     }
-}
+};
 
 namespace {
 
@@ -242,10 +260,11 @@ Interval swept_range(const Vec2& a, const Vec2& b, double radius, double y) {
 
 } // namespace
 
-void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top) {
+void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top,
+                           const Rows& rows) {
     const double low = std::min(a.y(), b.y()) - radius, high = std::max(a.y(), b.y()) + radius;
-    const int row0 = std::max(0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)));
-    const int row1 = std::min(rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)));
+    const int row0 = std::max({0, int(std::ceil((low - box_.lo.y()) / cell_ - 0.5)), rows.first});
+    const int row1 = std::min({rows_ - 1, int(std::floor((high - box_.lo.y()) / cell_ - 0.5)), rows.last});
     for (int row = row0; row <= row1; ++row) {
         const auto [from, to] = swept_range(a, b, radius, box_.lo.y() + (row + 0.5) * cell_);
         if (!(from <= to)) continue;
@@ -271,27 +290,101 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
     }
 }
 
+/// Cuts one after another, in bands of rows, of each of which a thread makes all.
+class BandCuts {
+public:
+    using Motion = StockField::Motion;
+    /// Both must outlive this.
+    BandCuts(StockField& field, const StockCutter& cutter, std::span<const Motion> motions)
+        : field_(field), cutter_(cutter), motions_(motions) {}
+
+    /// Calls before(motion, rows) before each of them is made.
+    template <class Before>
+    void run(Before&& before, const Progress& progress) {
+        if (motions_.empty()) return;
+        std::vector<StockRows> reached;
+        reached.reserve(motions_.size());
+        StockRows all{field_.rows_, -1};
+        for (const Motion& motion : motions_) {
+            reached.push_back(rows_of(motion));
+            all = {std::min(all.first, reached.back().first), std::max(all.last, reached.back().last)};
+        }
+        all = {std::max(all.first, 0), std::min(all.last, field_.rows_ - 1)};
+        const bool stood = field_.last_tip_ == motions_.front()[0] && field_.last_cutter_ == cutter_.number_;
+        const auto n = std::size_t(std::max(all.last - all.first + 1, 0));
+        // A single thread takes all rows at once, and so it is with few motions.
+        const std::size_t band =
+            motions_.size() < band_motions || thread_count() == 1 ? n : std::max(min_band, n / max_bands);
+        parallel_blocks(n, band, progress, [&](std::size_t begin, std::size_t end) {
+            const StockRows rows{all.first + int(begin), all.first + int(end) - 1};
+            for (std::size_t i = 0; i < motions_.size(); ++i) {
+                if (i % motions_per_check == 0) progress.check();
+                if (reached[i].last < rows.first || reached[i].first > rows.last) continue;
+                const auto& [a, b] = motions_[i];
+                before(i, rows);
+                field_.cut_rows(cutter_, a, b, i == 0 ? stood : motions_[i - 1][1] == a, rows);
+            }
+        });
+        field_.last_tip_ = motions_.back()[1];
+        field_.last_cutter_ = cutter_.number_;
+    }
+
+private:
+    /// Those that the cutter reaches, and a few more.
+    StockRows rows_of(const Motion& motion) const {
+        const auto row = [&](double y) {
+            return int(std::clamp((y - field_.box_.lo.y()) / field_.cell_, -2.0, 2e9));
+        };
+        const auto [low, high] = std::minmax(motion[0].y(), motion[1].y());
+        return {row(low - cutter_.radius()) - 1, row(high + cutter_.radius()) + 1};
+    }
+
+    StockField& field_;
+    const StockCutter& cutter_;
+    std::span<const Motion> motions_;
+};
+
 void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
-    const Vec3 motion = b - a;
-    bool stood = last_tip_ == a && last_cutter_ == cutter.number_;
-    short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        cut_piece(cutter, a + from * motion, to == 1 ? b : Vec3(a + to * motion), stood);
-        stood = true;
-        return true;
-    });
+    cut_rows(cutter, a, b, last_tip_ == a && last_cutter_ == cutter.number_, {});
     last_tip_ = b;
     last_cutter_ = cutter.number_;
+}
+
+void StockField::cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress) {
+    BandCuts(*this, cutter, motions).run([](std::size_t, const Rows&) {}, progress);
+}
+
+std::vector<char> StockField::cut_telling_work(const StockCutter& cutter, std::span<const Motion> motions,
+                                               double least, const Progress& progress) {
+    std::vector<std::atomic<char>> work(motions.size());
+    const auto look = [&](std::size_t i, const Rows& rows) {
+        const auto& [a, b] = motions[i];
+        if (!work[i] && has_work(cutter, a, b, least, rows)) work[i] = 1;
+    };
+    BandCuts(*this, cutter, motions).run(look, progress);
+    return {work.begin(), work.end()};
+}
+
+void StockField::cut_rows(const StockCutter& cutter, const Vec3& a, const Vec3& b, bool stood_at_a,
+                          const Rows& rows) {
+    const Vec3 motion = b - a;
+    short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(), [&](double from, double to) {
+        cut_piece(cutter, a + from * motion, to == 1 ? b : Vec3(a + to * motion), stood_at_a, rows);
+        stood_at_a = true;
+        return true;
+    });
 }
 
 /// Any place of the piece gives a height that is not too low; the nearest is the best on a level one, the
 /// lower end where it goes down steeply. Where the cutter stood at p before, it has cut there: what lies
 /// behind is nearest to p.
-void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p) {
+void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p,
+                           const Rows& rows) {
     const Vec3& low = p.z() < q.z() ? p : q;
     const Vec2 on = (q - p).head<2>();
     if (p.z() == q.z() && cutter.flat_radius() > half_diagonal_)
         cut_level(p.head<2>(), q.head<2>(), cutter.flat_radius() - half_diagonal_, p.z(),
-                  p.z() + cutter.covered(cutter.flat_radius()));
+                  p.z() + cutter.covered(cutter.flat_radius()), rows);
     const auto higher = [z = low.z()](const Cell& cell) { return cell.top > z; };
     // Most cells in reach stay as they are: low enough, or under the rim, which takes the middle alone.
     const double inner = std::max(0.0, cutter.radius() - half_diagonal_), whole = inner * inner;
@@ -308,16 +401,16 @@ void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3&
         forget_low(cell);
         return true;
     };
-    near_line(
+    CellsNear::line(
         *this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
         [&](Cell& cell, double square, double t) { return lower(cell, square, p.z() + t * (q.z() - p.z())); },
-        stood_at_p ? on : Vec2(Vec2::Zero()));
+        rows, stood_at_p ? on : Vec2(Vec2::Zero()));
     // Ahead of its lower end, that was the nearest.
     const bool falls = q.z() < p.z();
     if (p.z() == q.z() || (!falls && stood_at_p)) return;
-    near_line(
+    CellsNear::line(
         *this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
-        [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); },
+        [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); }, rows,
         falls ? Vec2(-on) : on);
 }
 
@@ -325,7 +418,7 @@ double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const 
     double height = -infinity;
     const Vec2 motion = b - a;
     short_pieces(motion.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_line(
+        CellsNear::line(
             *this, a + from * motion, a + to * motion, cutter.radius() + half_diagonal_, height,
             [&](const Cell& cell) { return cell.top > height; },
             [&](const Cell& cell, double square, double) {
@@ -342,7 +435,7 @@ double StockField::stand_height(const StockCutter& cutter, const Vec2& a, const 
     double height = -infinity;
     const Vec2 motion = b - a;
     short_pieces(motion.norm(), piece_radii * cutter.radius(), [&](double from, double to) {
-        near_line(
+        CellsNear::line(
             *this, a + from * motion, a + to * motion, cutter.radius(), height,
             [&](const Cell& cell) { return cell.middle > height; },
             [&](const Cell& cell, double square, double) {
@@ -359,7 +452,7 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
     double height = floor;
     const Vec2 motion = b - a;
     short_pieces(motion.norm(), piece_radii * std::max(radius, cell_), [&](double from, double to) {
-        near_line(
+        CellsNear::line(
             *this, a + from * motion, a + to * motion, radius + half_diagonal_, height,
             [&](const Cell& cell) { return cell.top > height; },
             [&](const Cell& cell, double, double) {
@@ -373,7 +466,7 @@ double StockField::highest_near(const Vec2& a, const Vec2& b, double radius, dou
 
 void StockField::each_above(const Vec2& p, double radius, double z,
                             const std::function<void(std::size_t cell, double top)>& visit) const {
-    near_line(
+    CellsNear::line(
         *this, p, p, radius + half_diagonal_, z, [&](const Cell& cell) { return cell.top > z; },
         [&](const Cell& cell, double, double) {
             visit(std::size_t(&cell - cells_.data()), cell.top);
@@ -392,7 +485,7 @@ std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a,
     short_pieces(length, piece_radii * cutter.radius(), [&](double from, double to) {
         const Vec3 p = a + from * motion, q = a + to * motion;
         const double floor = std::min(p.z(), q.z()) + least;
-        near_line(
+        CellsNear::line(
             *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
             [&](const Cell& cell) { return cell.middle > floor; },
             [&](const Cell& cell, double square, double t) {
@@ -418,18 +511,24 @@ std::vector<Interval> StockField::work(const StockCutter& cutter, const Vec3& a,
 }
 
 bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least) const {
+    return has_work(cutter, a, b, least, {});
+}
+
+bool StockField::has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least,
+                          const Rows& rows) const {
     bool found = false;
     const Vec3 motion = b - a;
     const auto look = [&](const Vec3& p, const Vec3& q) {
         const double floor = std::min(p.z(), q.z()) + least;
-        near_line(
+        CellsNear::line(
             *this, p.head<2>(), q.head<2>(), cutter.radius(), floor,
             [&](const Cell& cell) { return cell.middle > floor; },
             [&](const Cell& cell, double square, double t) {
                 const double d = std::sqrt(square);
                 found = cell.middle - (p.z() + t * (q.z() - p.z()) + cutter.above(d)) > least;
                 return !found;
-            });
+            },
+            rows);
         return !found;
     };
     short_pieces(motion.head<2>().norm(), piece_radii * cutter.radius(),

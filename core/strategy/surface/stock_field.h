@@ -19,6 +19,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace facetmill {
@@ -58,10 +60,16 @@ private:
         return std::size_t((1 - std::sqrt(std::max(0.0, 1 - rho / radius_))) * double(pieces));
     }
     friend class StockField;
+    friend class BandCuts;
     double radius_, height_, flat_radius_ = 0;
     std::uint64_t number_;                ///< no other cutter has it, but for copies
     std::vector<double> table_, covered_; ///< covered_: of an undercut cutter only
     std::array<double, squares> by_square_{};
+};
+
+/// Some of the rows of a stock field, both ends included. The cells of a row depend on no other's.
+struct StockRows {
+    int first = 0, last = std::numeric_limits<int>::max();
 };
 
 class StockField {
@@ -83,11 +91,19 @@ public:
     double top(int column, int row) const { return cells_[at(column, row)].top; }
     double middle(int column, int row) const { return cells_[at(column, row)].middle; }
     double highest() const; ///< top of all
+    /// Not below it, at no cost: what stood highest at first.
+    double no_higher() const { return no_higher_; }
     /// Cells on which nothing stands higher than z, from now on, are as if without material: whoever asks
     /// only what is higher spends no time on them.
     void forget_below(double z);
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
+    /// The same for motions (from, to) one after the other, on all cores.
+    using Motion = std::array<Vec3, 2>;
+    void cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress);
+    /// Tells of each of them whether it has work (`has_work`) when its turn comes.
+    std::vector<char> cut_telling_work(const StockCutter& cutter, std::span<const Motion> motions,
+                                       double least, const Progress& progress);
     /// The lowest tip height at which the cutter, moved level and straight from a to b, touches nothing; -inf
     /// where nothing is.
     double clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const;
@@ -116,23 +132,23 @@ private:
     void forget_low(Cell& cell) const {
         if (cell.top <= forgotten_) cell = {-infinity, -infinity};
     }
+    using Rows = StockRows;
+    friend struct CellsNear;
+    friend class BandCuts;
+    void cut_rows(const StockCutter& cutter, const Vec3& a, const Vec3& b, bool stood_at_a, const Rows& rows);
+    bool has_work(const StockCutter& cutter, const Vec3& a, const Vec3& b, double least,
+                  const Rows& rows) const;
     /// What stands over cells whose centre is within `radius` of the line from a to b, but not above `top`,
     /// is cut down to z.
-    void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top);
+    void cut_level(const Vec2& a, const Vec2& b, double radius, double z, double top, const Rows& rows);
     void fill_round(const StockSolid& solid);
     void fill_mesh(const StockSolid& solid, const Progress& progress);
-    /// visit(cell, square of its centre's distance from the line, share of the line nearest to it) for cells
-    /// that are wanted(cell), whose centre is within `reach`, but for those that surely have no top above
-    /// `floor`; ends when visit returns false. Most cells near a line are cut already: `wanted` is asked
-    /// first.
-    /// `ahead`: only what lies on this side of a, if it is not 0; little else is visited then.
-    template <class Field, class Wanted, class Visit>
-    static void near_line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor,
-                          Wanted&& wanted, Visit&& visit, const Vec2& ahead = Vec2::Zero());
-    void cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p);
+    void cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3& q, bool stood_at_p,
+                   const Rows& rows);
 
     Box3 box_;
     double cell_ = 1, half_diagonal_ = 1;
+    double no_higher_ = -infinity;
     double forgotten_ = -infinity; ///< what stands no higher is
     int columns_ = 0, rows_ = 0;
     std::vector<Cell> cells_;

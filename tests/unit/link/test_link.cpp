@@ -77,7 +77,7 @@ private slots:
         for (const CutterProfile& profile : cutters)
             for (int trial = 0; trial < trials(20, 4); ++trial) {
                 StockField at_once(solid, 0.5, Progress());
-                LaterCuts later(at_once, profile, 1);
+                LaterCuts later(at_once, profile, 1, Progress());
                 const StockCutter cutter(profile);
                 Vec3 from(at(rng), at(rng), height(rng));
                 for (int i = 0; i < 200; ++i) {

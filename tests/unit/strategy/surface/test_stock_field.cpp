@@ -1,4 +1,5 @@
 // What stands of the stock as planners see it: against closed forms, and against a search at random places.
+#include "core/base/parallel.h"
 #include "core/strategy/surface/stock_field.h"
 #include "tests/property/shapes.h"
 #include "tests/support/test_runner.h"
@@ -160,6 +161,45 @@ private slots:
                     }
             }
         }
+    }
+
+    /// On many threads, row by row, to the last bit what single cuts leave and find.
+    void many_cuts_leave_what_single_ones_leave() {
+        std::mt19937_64 rng(14);
+        std::uniform_real_distribution<double> at(-18, 18), height(1, 9), step(0, 1);
+        constexpr double least = 0.05;
+        for (const int threads : {1, 4}) {
+            set_thread_count(threads);
+            for (int shape = 0; shape < 4; ++shape) {
+                const StockCutter cutter(profile(shape));
+                StockField single(block(Vec3(-15, -15, 0), Vec3(15, 15, 10)), 0.4, Progress());
+                StockField many = single, telling = single;
+                for (const std::size_t count : {1, 5, 40, 60}) {
+                    std::vector<StockField::Motion> motions;
+                    Vec3 from(at(rng), at(rng), height(rng));
+                    std::vector<char> work;
+                    while (motions.size() < count) {
+                        const double kind = step(rng);
+                        Vec3 to(at(rng), at(rng), kind < 0.5 ? from.z() : height(rng));
+                        if (kind > 0.8) to.head<2>() = from.head<2>();
+                        motions.push_back({from, to});
+                        work.push_back(single.has_work(cutter, from, to, least));
+                        single.cut(cutter, from, to);
+                        from = kind < 0.1 ? Vec3(at(rng), at(rng), height(rng)) : to;
+                    }
+                    many.cut(cutter, motions, Progress());
+                    QCOMPARE(telling.cut_telling_work(cutter, motions, least, Progress()), work);
+                    for (int row = 0; row < single.rows(); ++row)
+                        for (int column = 0; column < single.columns(); ++column)
+                            for (const StockField* field : {&many, &telling}) {
+                                QVERIFY(field->top(column, row) == single.top(column, row));
+                                QVERIFY(field->middle(column, row) == single.middle(column, row));
+                            }
+                    QVERIFY(single.highest() <= single.no_higher());
+                }
+            }
+        }
+        set_thread_count(0);
     }
 
     /// What is forgotten stays so under later cuts, and what is higher is as without.
