@@ -30,6 +30,8 @@ constexpr double thinned_for_shank = 0.05;
 constexpr double longest_floor_entry = 3;
 /// Stretches of air shorter than this many diameters are run through.
 constexpr double short_air = 1.5;
+/// Places of a floor that a thread looks at at a time.
+constexpr std::size_t floor_tips = 16;
 
 /// What is in `free` and not in `deeper`.
 std::vector<Interval> less(const std::vector<Interval>& free, const std::vector<Interval>& deeper) {
@@ -251,14 +253,17 @@ void Planner::cut_floors(const Progress& progress) {
         for (Vec3& tip : tips)
             tip.z() = std::max(tip.z(), heights_.low);
         std::vector<char> busy(n, 0); // from a tip to the next
-        for (std::size_t i = 0; i + 1 < n; ++i)
+        const Progress here = progress.part(0, 0);
+        parallel_for(n > 0 ? n - 1 : 0, floor_tips, here, [&](std::size_t i) {
             busy[i] = (valley.deep[i] || valley.deep[i + 1])
                       && std::max(valley.tips[i].z(), valley.tips[i + 1].z()) >= heights_.low
                       && field_.has_work(cutter_, tips[i], tips[i + 1], measures_.min_work);
+        });
         if (std::find(busy.begin(), busy.end(), 1) == busy.end()) continue;
         std::vector<double> stand(n);
-        for (std::size_t i = 0; i < n; ++i)
+        parallel_for(n, floor_tips, here, [&](std::size_t i) {
             stand[i] = field_.stand_height(cutter_, tips[i].head<2>(), tips[i].head<2>());
+        });
         for (std::vector<Vec3>& route :
              floor_stretches(tips, busy, stand, measures_.diameter, longest_floor_entry * measures_.diameter,
                              measures_.diameter))

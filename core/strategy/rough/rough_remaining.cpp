@@ -6,6 +6,7 @@
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/up_side.h"
 
+#include <array>
 #include <cmath>
 
 namespace facetmill {
@@ -19,7 +20,7 @@ constexpr std::size_t block = 256;
 /// Where the part keeps the cutter away by more than this share of what is allowed, a place is out of reach.
 constexpr double reach_share = 0.05;
 /// Places beside the tip that would touch, from which the cutter may reach a place too.
-constexpr int looks_beside = 8;
+constexpr std::size_t looks_beside = 8;
 /// What the field cannot tell apart along a slanting line, as a share of the cells' size.
 constexpr double field_noise = 1;
 /// Steeper places are under the cutter's side: what stays there is in the wall's own cell.
@@ -58,7 +59,9 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
         columns * rows, block, Remaining(), progress,
         [&](std::size_t begin, std::size_t end) {
             Remaining worst;
-            LiftHint hint;
+            LiftHint hint, over_tip;
+            std::array<Vec2, looks_beside> beside;
+            std::array<double, looks_beside> beside_z{};
             for (std::size_t i = begin; i < end; ++i) {
                 const int column = int(i % columns) * stride, row = int(i / columns) * stride;
                 const Vec2 p = field.center(column, row);
@@ -89,12 +92,18 @@ Remaining find_remaining(const RemainingInput& in, const Progress& progress) {
                 // How far away the cutter stays, from wherever it comes down: over the place that would
                 // touch, or a little beside it where the part holds it up less.
                 const double near = reach_share * in.allowed;
-                double away = infinity;
-                for (int k = 0; k <= looks_beside && away > near; ++k) {
-                    const double turn = 2 * pi * k / looks_beside, out = k == 0 ? 0 : near;
-                    const double x = tip.x() + out * std::cos(turn), y = tip.y() + out * std::sin(turn);
-                    away = std::min(
-                        away, cover.ray_entry(over, n, Vec3(x, y, lift.tip_z(x, y)), 4 * cover.radius()));
+                const auto away_from = [&](const Vec2& at, double z) {
+                    return cover.ray_entry(over, n, Vec3(at.x(), at.y(), z), 4 * cover.radius());
+                };
+                double away = away_from(tip.head<2>(), lift.tip_z(tip.x(), tip.y(), over_tip));
+                if (away > near) {
+                    for (std::size_t k = 0; k < looks_beside; ++k) {
+                        const double turn = 2 * pi * double(k + 1) / double(looks_beside);
+                        beside[k] = tip.head<2>() + near * Vec2(std::cos(turn), std::sin(turn));
+                    }
+                    lift.tip_z(beside, beside_z, progress.part(0, 0));
+                    for (std::size_t k = 0; k < beside.size() && away > near; ++k)
+                        away = std::min(away, away_from(beside[k], beside_z[k]));
                 }
                 if (away > near) {
                     ++worst.out_of_reach;

@@ -1,5 +1,6 @@
 #include "core/strategy/rough/rough_routes.h"
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -57,6 +58,8 @@ void between(const std::vector<Vec2>& route, const OnRoute& a, const OnRoute& b,
 /// that are shorter than what leaving and coming back takes, and are run through; and how far before its work
 /// the tool begins, to come in where nothing stands.
 constexpr double step_radii = 0.5, gap_radii = 2.2, entry_radii = 1.1;
+/// Steps of a contour that a thread looks at at a time.
+constexpr std::size_t block_steps = 32;
 
 /// The points of a contour, and more between them, no more than `step` apart.
 std::vector<Vec2> in_steps(const Contour& contour, double step) {
@@ -286,11 +289,11 @@ LayerRoutes::along_contours(std::span<const Contour> contours, double z, Vec2& a
         const std::vector<Vec2> points = in_steps(contour, step_radii * cutter_.radius());
         const std::size_t n = points.size() - 1;
         std::vector<char> busy(n, 0);
-        for (std::size_t i = 0; i < n; ++i) {
+        parallel_for(n, block_steps, progress.part(0, 0), [&](std::size_t i) {
             const Vec3 a(points[i].x(), points[i].y(), z), b(points[i + 1].x(), points[i + 1].y(), z);
             busy[i] =
                 field_.has_work(cutter_, a, b, min_) || (wanted_too && wanted_too(points[i], points[i + 1]));
-        }
+        });
         if (std::find(busy.begin(), busy.end(), 1) == busy.end()) continue;
         std::vector<char> cut = busy;
         close_gaps(points, contour.closed, busy, gap_radii * cutter_.radius(), cut);
