@@ -16,7 +16,9 @@
 #include "core/strategy/surface/slice.h"
 #include "core/strategy/surface/travel_direction.h"
 
+#include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <optional>
 
 namespace facetmill {
@@ -288,7 +290,17 @@ std::vector<PlannedLine> Planner::with_partial_lines(std::vector<Placed> planes,
     std::vector<PartialLines> partial(planes.size(), PartialLines(*stepover_));
     std::atomic<std::size_t> made =
         planes.size(); // too many end the work at once, not after the last of them
-    parallel_for(planes.size() - 1, 1, progress, [&](std::size_t i) {
+    // What takes longest first.
+    std::vector<double> length(planes.size(), 0);
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        for (const Interval& r : planes[i].left)
+            length[i] += r.length();
+    std::vector<std::size_t> order(planes.size() - 1);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
+    parallel_for(order.size(), 1, progress, [&](std::size_t k) {
+        const std::size_t i = order[k];
         if (planes[i].left.empty()) return;
         partial[i].fill(planes[i].line, planes[i + 1].line, planes[i].left, progress.part(0, 0));
         const std::size_t more = partial[i].lines();

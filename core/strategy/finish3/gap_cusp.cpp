@@ -4,12 +4,14 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/plan/budget.h"
 
+#include <algorithm>
+
 namespace facetmill {
 
 namespace {
 
 /// Columns that a thread takes at a time.
-constexpr std::size_t block_columns = 64;
+constexpr std::size_t block_columns = 32;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
 /// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
@@ -37,6 +39,21 @@ bool inside(const std::vector<Interval>& intervals, double u, double slack) {
 double crossing(double xa, double xb, double ya, double yb) {
     const double da = ya - xa, db = xb - yb;
     return da > 0 && db > 0 && da + db < infinity ? xa + (xb - xa) * da / (da + db) : 0;
+}
+
+/// The highest ridge between the rows of a column, from what the two lines leave at each.
+double highest_ridge(const std::array<CuspField::Sample, 3>& s, const std::array<double, 3>& x,
+                     const std::array<double, 3>& y) {
+    double highest = 0;
+    for (std::size_t i = 0; i + 1 < s.size(); ++i)
+        if (s[i].valid && s[i + 1].valid)
+            highest = std::max(highest, crossing(x[i], x[i + 1], y[i], y[i + 1]));
+    if (s[0].valid && s[1].valid)
+        highest = std::max(highest, crossing(0, x[0], std::max(2 * y[0] - y[1], y[0]), y[0]));
+    constexpr std::size_t l = 2;
+    if (s[l].valid && s[l - 1].valid)
+        highest = std::max(highest, crossing(x[l], std::max(2 * x[l] - x[l - 1], x[l]), y[l], 0));
+    return highest;
 }
 
 /// Just inside the ends of a range, so that there is something below.
@@ -98,6 +115,18 @@ std::vector<CuspAt> GapCusp::along(const Progress& progress) const {
     return found;
 }
 
+bool GapCusp::is_any_above(const Progress& progress) const {
+    if (!(v1_ > v0_)) return false;
+    // Mostly the rows alone tell.
+    for (std::size_t begin = 0; begin < columns_.size(); begin += block_columns) {
+        const std::size_t end = std::min(columns_.size(), begin + block_columns);
+        const Block block = sampled(begin, end, progress);
+        for (std::size_t c = begin; c < end; ++c)
+            if (at_rows(c, block).worst > in_.cusp) return true;
+    }
+    return std::ranges::any_of(along(progress), [&](const CuspAt& c) { return c.cusp > in_.cusp; });
+}
+
 GapCusp::Block GapCusp::sampled(std::size_t begin, std::size_t end, const Progress& progress) const {
     if (end < columns_.size() && columns_[end - 1].joins_next) ++end;
     Block block;
@@ -121,14 +150,8 @@ std::vector<GapCusp::Found> GapCusp::look(std::size_t begin, std::size_t end,
                                           const Progress& progress) const {
     Block block = sampled(begin, end, progress);
     std::vector<Found> columns(end - begin);
-    for (std::size_t c = begin; c < end; ++c) {
-        Found& found = columns[c - begin];
-        found.u = columns_[c].u;
-        found.s = block.at(c);
-        found.a = field_.near(a_, found.u);
-        found.b = field_.near(b_, found.u);
-        look_at_rows(found);
-    }
+    for (std::size_t c = begin; c < end; ++c)
+        columns[c - begin] = at_rows(c, block);
     look_between(pairs(columns, progress), columns, progress);
     for (std::size_t c = begin; c < end; ++c) {
         Found& found = columns[c - begin];
@@ -140,7 +163,12 @@ std::vector<GapCusp::Found> GapCusp::look(std::size_t begin, std::size_t end,
     return columns;
 }
 
-void GapCusp::look_at_rows(Found& found) const {
+GapCusp::Found GapCusp::at_rows(std::size_t column, const Block& block) const {
+    Found found;
+    found.u = columns_[column].u;
+    found.s = block.at(column);
+    found.a = field_.near(a_, found.u);
+    found.b = field_.near(b_, found.u);
     for (int i = 0; i < rows; ++i) {
         const Sample& s = found.s[i];
         if (!s.valid) continue;
@@ -155,6 +183,7 @@ void GapCusp::look_at_rows(Found& found) const {
             found.s[i].valid && found.s[i + 1].valid
             && (found.s[i + 1].point - found.s[i].point).norm() < still_share * (v_[i + 1] - v_[i]);
     found.is_cut = found.worst < infinity;
+    return found;
 }
 
 /// The contact jumps in a hollow hardly wider than the cutter, and stands still on a convex edge; then the
@@ -223,9 +252,15 @@ void GapCusp::look_between(std::vector<Pair> pairs, std::vector<Found>& columns,
             const Sample& s = middles[i];
             if (!s.valid) continue;
             Found& found = columns[pair.found];
-            found.worst = std::max(found.worst, field_.left_at(found.a, found.b, s));
-            if (found.worst > in_.cusp) continue;
             const double v = places[i].y();
+            // The nearer line mostly says enough.
+            const bool a_first = v - v0_ < v1_ - v;
+            const double first = field_.entry(a_first ? found.a : found.b, s.point, s.normal);
+            if (first > found.worst)
+                found.worst =
+                    std::max(found.worst,
+                             std::min(first, field_.entry(a_first ? found.b : found.a, s.point, s.normal)));
+            if (found.worst > in_.cusp) continue;
             pairs.push_back({pair.found, pair.v0, v, pair.s0, s, pair.gap, pair.depth - 1});
             pairs.push_back({pair.found, v, pair.v1, s, pair.s1, pair.gap, pair.depth - 1});
         }
@@ -245,25 +280,10 @@ double GapCusp::at_jump(const Pair& pair, const Found& found) const {
     return field_.sharp() ? between : std::max(between, hollow(s0, s1, found, 0.5 * (pair.v0 + pair.v1)));
 }
 
-double GapCusp::ridge(const Found& found, const std::array<double, rows>& x,
-                      const std::array<double, rows>& y) const {
-    const auto& s = found.s;
-    double highest = 0;
-    for (int i = 0; i + 1 < rows; ++i)
-        if (s[i].valid && s[i + 1].valid)
-            highest = std::max(highest, crossing(x[i], x[i + 1], y[i], y[i + 1]));
-    if (s[0].valid && s[1].valid)
-        highest = std::max(highest, crossing(0, x[0], std::max(2 * y[0] - y[1], y[0]), y[0]));
-    constexpr int l = rows - 1;
-    if (s[l].valid && s[l - 1].valid)
-        highest = std::max(highest, crossing(x[l], std::max(2 * x[l] - x[l - 1], x[l]), y[l], 0));
-    return highest;
-}
-
 /// The cusp's ridge lies where both cutters leave the same. Beside a round cutter what is left grows with the
 /// square of the distance, so roots run linearly; beside a sharp rim it grows with the distance.
 void GapCusp::look_at_ridges(Found& found) const {
-    const double root = ridge(found, found.x, found.y);
+    const double root = highest_ridge(found.s, found.x, found.y);
     found.worst = std::max(found.worst, root * root);
     if (!field_.sharp()) return;
     std::array<double, rows> x = found.x, y = found.y;
@@ -271,7 +291,7 @@ void GapCusp::look_at_ridges(Found& found) const {
         x[i] *= x[i];
         y[i] *= y[i];
     }
-    found.worst = std::max(found.worst, ridge(found, x, y));
+    found.worst = std::max(found.worst, highest_ridge(found.s, x, y));
 }
 
 void GapCusp::look_at_walls(Found& found, Block& block) const {

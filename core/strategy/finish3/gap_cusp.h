@@ -24,6 +24,8 @@ public:
     /// The largest cusp at places along the gap, `CuspField::spacing()` apart where there is something to
     /// cut; u never falls.
     std::vector<CuspAt> along(const Progress& progress) const;
+    /// Whether any of them is above the allowed cusp.
+    bool is_any_above(const Progress& progress) const;
 
 private:
     using Sample = CuspField::Sample;
@@ -64,12 +66,11 @@ private:
     };
 
     std::vector<Found> look(std::size_t begin, std::size_t end, const Progress& progress) const;
-    void look_at_rows(Found& found) const;
+    /// With what the rows tell.
+    Found at_rows(std::size_t column, const Block& block) const;
     /// Pairs of neighbouring places, where it is worth to look between them.
     std::vector<Pair> pairs(const std::vector<Found>& columns, const Progress& progress) const;
     void look_between(std::vector<Pair> pairs, std::vector<Found>& columns, const Progress& progress) const;
-    double ridge(const Found& found, const std::array<double, rows>& x,
-                 const std::array<double, rows>& y) const;
     void look_at_ridges(Found& found) const;
     void look_at_walls(Found& found, Block& block) const;
     void look_at_wall_ahead(Found& found, std::size_t column, Block& block) const;

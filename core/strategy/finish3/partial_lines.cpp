@@ -30,8 +30,9 @@ void PartialLines::fill(const DriveLine& a, const DriveLine& b, const Interval& 
     };
     double guess = std::min(0.5 * (b.v - a.v), stepover_.first_guess());
     for (;;) {
-        const std::vector<Interval> left = stepover_.left_between(last, b, range, progress);
-        if (left.empty()) break;
+        std::vector<Interval> left;
+        if (is_own) left = stepover_.left_between(last, b, range, progress);
+        if (is_own ? left.empty() : !stepover_.leaves_any_between(last, b, range, progress)) break;
         if (b.v - last.v <= stepover_.smallest_step()) {
             ++unsatisfied_;
             break;

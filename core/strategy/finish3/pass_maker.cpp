@@ -18,8 +18,7 @@ std::vector<Pass> PassMaker::passes(const PlannedLine& line, const Progress& pro
     return all;
 }
 
-CutterContact PassMaker::contact(const Vec3& tip, LiftHint& hint) const {
-    const AxialContact contact = field_.lift->contact(tip.x(), tip.y(), hint);
+CutterContact PassMaker::contact_of(const Vec3& tip, const AxialContact& contact) const {
     if (contact.facet == no_index) return {tip, Vec3(0, 0, 1)}; // nothing below: held up by the floor
     const Vec3 lifted(tip.x(), tip.y(), contact.tip_z);
     const auto open = cover_.contact_normal(contact.point - lifted);
@@ -34,9 +33,9 @@ Pass PassMaker::pass(const std::vector<LinePoint>& points, double v, const Progr
         CutterLocation cl;
         CutterContact cc;
     };
-    const auto placed_at = [&](const LinePoint& p, LiftHint& hint) {
+    const auto placed = [&](const LinePoint& p, const AxialContact& touched) {
         const Vec3 tip = frame_.point(p.s, v, p.z);
-        return Place{p, {tip, Vec3(0, 0, 1)}, contact(tip, hint)};
+        return Place{p, {tip, Vec3(0, 0, 1)}, contact_of(tip, touched)};
     };
     const double cos_limit = std::cos(normal_limit_), shortest = 0.25 * fine_.spacing;
     const auto add = [](const Place& p, Pass& to) {
@@ -49,7 +48,8 @@ Pass PassMaker::pass(const std::vector<LinePoint>& points, double v, const Progr
         if (a.cc.normal.dot(b.cc.normal) >= cos_limit || b.at.s - a.at.s < 2 * shortest) return;
         LinePoint mid{0.5 * (a.at.s + b.at.s), 0};
         mid.z = field_.tip_z(v * frame_.across + mid.s * frame_.along, hint);
-        const Place middle = placed_at(mid, hint);
+        const Vec2 xy = frame_.xy(mid.s, v);
+        const Place middle = placed(mid, field_.lift->contact(xy.x(), xy.y(), hint));
         self(self, a, middle, hint, to);
         add(middle, to);
         self(self, middle, b, hint, to);
@@ -58,12 +58,18 @@ Pass PassMaker::pass(const std::vector<LinePoint>& points, double v, const Progr
     std::vector<Pass> parts((points.size() - 1) / block + 1);
     parallel_blocks(points.size(), block, progress, [&](std::size_t begin, std::size_t end) {
         Pass& part = parts[begin / block];
+        // And the first of the next block.
+        std::vector<Vec2> places;
+        for (std::size_t i = begin; i < std::min(end + 1, points.size()); ++i)
+            places.push_back(frame_.xy(points[i].s, v));
+        std::vector<AxialContact> touched(places.size());
+        field_.lift->contact(places, touched, progress.part(0, 0));
         LiftHint hint;
-        Place here = placed_at(points[begin], hint);
+        Place here = placed(points[begin], touched.front());
         for (std::size_t i = begin; i < end; ++i) {
             add(here, part);
             if (i + 1 == points.size()) break;
-            const Place next = placed_at(points[i + 1], hint);
+            const Place next = placed(points[i + 1], touched[i + 1 - begin]);
             fill(fill, here, next, hint, part);
             here = next;
         }

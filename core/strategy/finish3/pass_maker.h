@@ -18,12 +18,11 @@ public:
     std::vector<Pass> passes(const PlannedLine& line, const Progress& progress) const;
     /// Where a tip that stands on the part touches it.
     CutterContact contact(const Vec3& tip) const {
-        LiftHint none;
-        return contact(tip, none);
+        return contact_of(tip, field_.lift->contact(tip.x(), tip.y()));
     }
 
 private:
-    CutterContact contact(const Vec3& tip, LiftHint& hint) const;
+    CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     Pass pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
 
     const StepOver& stepover_;

@@ -85,6 +85,11 @@ std::vector<Interval> StepOver::left_between(const DriveLine& a, const DriveLine
     return left_of(GapCusp(field_, &a, &b, 0, &within).along(progress), &within);
 }
 
+bool StepOver::leaves_any_between(const DriveLine& a, const DriveLine& b, const Interval& within,
+                                  const Progress& progress) const {
+    return GapCusp(field_, &a, &b, 0, &within).is_any_above(progress);
+}
+
 std::vector<Interval> StepOver::left_of(const std::vector<CuspAt>& found, const Interval* within) const {
     std::vector<Interval> left;
     for (const CuspAt& c : found)

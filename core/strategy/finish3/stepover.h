@@ -50,6 +50,10 @@ public:
     std::vector<Interval> left_between(const DriveLine& a, const DriveLine& b, const Interval& within,
                                        const Progress& progress) const;
 
+    /// Whether there are any.
+    bool leaves_any_between(const DriveLine& a, const DriveLine& b, const Interval& within,
+                            const Progress& progress) const;
+
     /// Where the next line is looked for.
     struct Search {
         const DriveLine* a = nullptr;     ///< the line before; null: the border at domain.lo()

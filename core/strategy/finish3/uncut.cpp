@@ -11,7 +11,6 @@
 #include "core/strategy/surface/up_side.h"
 
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 namespace facetmill {
@@ -53,7 +52,24 @@ private:
 struct Line {
     double v = 0;
     std::vector<std::vector<LinePoint>> runs; ///< s is u, never falling
+    std::vector<std::vector<double>> lowest;  ///< of each run, over so many pieces at a time
 };
+constexpr std::size_t pieces_together = 8;
+
+/// The lowest height over each `pieces_together` pieces.
+std::vector<double> lowest_of(const std::vector<LinePoint>& run) {
+    std::vector<double> lowest((run.size() + pieces_together - 1) / pieces_together, infinity);
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        double& own = lowest[i / pieces_together];
+        own = std::min(own, run[i].z);
+        // The first of some pieces is the last of those before.
+        if (i % pieces_together == 0 && i > 0) {
+            double& before = lowest[i / pieces_together - 1];
+            before = std::min(before, run[i].z);
+        }
+    }
+    return lowest;
+}
 
 /// Passes in drive planes.
 class Swept : public SweptPasses {
@@ -64,7 +80,7 @@ public:
         std::vector<Line> lines;
         for (const Pass& pass : passes) {
             progress.check();
-            Line line{pass.offset, {run_of(pass)}};
+            Line line{pass.offset, {run_of(pass)}, {}};
             if (!line.runs.front().empty()) lines.push_back(std::move(line));
         }
         std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.v < b.v; });
@@ -74,6 +90,9 @@ public:
             else
                 lines_.push_back(std::move(line));
         }
+        for (Line& line : lines_)
+            for (const auto& run : line.runs)
+                line.lowest.push_back(lowest_of(run));
     }
 
     /// Asked whether it is above `enough` it says no more than that, where it is.
@@ -142,7 +161,8 @@ private:
             const double x = 0.5 + 0.25 * (f0 - f2) / bend;
             if (x > 0 && x < 1) best = std::min(best, at(from + x * (to - from)));
         };
-        for (const auto& run : line.runs) {
+        for (std::size_t r = 0; r < line.runs.size(); ++r) {
+            const auto& run = line.runs[r];
             if (run.front().s > u_q + half || run.back().s < u_q - half) continue;
             const auto first = [&](double s) {
                 const auto p = std::lower_bound(run.begin(), run.end(), s,
@@ -154,8 +174,13 @@ private:
                 std::clamp<std::size_t>(first(u), 1, std::max<std::size_t>(run.size() - 1, 1));
             if (run.size() > 1) piece(run[k - 1], run[k]);
             for (std::size_t i = std::max<std::size_t>(first(u_q - half), 1);
-                 best > enough && i < run.size() && run[i - 1].s <= u_q + half; ++i)
-                piece(run[i - 1], run[i]);
+                 best > enough && i < run.size() && run[i - 1].s <= u_q + half; ++i) {
+                const bool together = (i - 1) % pieces_together == 0;
+                if (together && line.lowest[r][(i - 1) / pieces_together] >= best)
+                    i += pieces_together - 1;
+                else
+                    piece(run[i - 1], run[i]);
+            }
             if (best <= enough) return;
         }
     }
@@ -192,38 +217,67 @@ public:
     }
 
     UncutReport run(const Progress& progress) {
-        const std::size_t facets = in_.mesh->facet_count();
-        return parallel_reduce(
-            facets, std::max(block_facets, facets / max_blocks), UncutReport(), progress,
-            [&](std::size_t begin, std::size_t end) {
-                UncutReport report;
-                for (std::size_t f = begin; f < end; ++f)
-                    facet(f, report, progress);
-                return report;
-            },
-            [](UncutReport a, const UncutReport& b) {
-                a.area += b.area;
-                a.samples += b.samples;
-                a.below += b.below;
-                a.passed_tips.insert(a.passed_tips.end(), b.passed_tips.begin(), b.passed_tips.end());
-                for (auto places : {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::held,
-                                    &UncutReport::covered}) {
-                    UncutPlaces& mine = a.*places;
-                    const UncutPlaces& more = b.*places;
-                    mine.area += more.area;
-                    if (more.height > mine.height) {
-                        mine.height = more.height;
-                        mine.at = more.at;
-                    }
-                }
-                return a;
-            });
+        const std::size_t facets = in_.mesh->facet_count(),
+                          size = std::max(block_facets, facets / max_blocks);
+        std::vector<Block> blocks((facets + size - 1) / size);
+        for (std::size_t b = 0; b < blocks.size(); ++b)
+            blocks[b].next = b * size;
+        const auto look = [&](std::size_t b, const Progress& here) {
+            Block& block = blocks[b];
+            const std::size_t end = std::min(facets, (b + 1) * size);
+            while (block.next < end && facet(block.next, block.report, here))
+                ++block.next;
+        };
+        const Progress first = progress.part(0, 0.8), second = progress.part(0.8, 1);
+        parallel_for(blocks.size(), 1, first, [&](std::size_t b) { look(b, first); });
+        // Those that asked how far the part is stopped there: all threads find its tree, where one would
+        // while the others wait for it.
+        std::vector<std::size_t> open;
+        for (std::size_t b = 0; b < blocks.size(); ++b)
+            if (blocks[b].next < std::min(facets, (b + 1) * size)) open.push_back(b);
+        if (!open.empty()) {
+            facets_.emplace(facet_boxes(in_.contact->mesh()), second.part(0, 0.2));
+            parallel_for(open.size(), 1, second.part(0.2, 1),
+                         [&](std::size_t i) { look(open[i], second.part(0, 0)); });
+        }
+        UncutReport all;
+        for (const Block& block : blocks)
+            add(all, block.report);
+        return all;
     }
 
 private:
-    void facet(std::size_t f, UncutReport& report, const Progress& progress) {
+    /// What some facets leave, and the first of those that were not looked at yet.
+    struct Block {
+        UncutReport report;
+        std::size_t next = 0;
+    };
+
+    static void add(UncutReport& a, const UncutReport& b) {
+        a.area += b.area;
+        a.samples += b.samples;
+        a.below += b.below;
+        a.passed_tips.insert(a.passed_tips.end(), b.passed_tips.begin(), b.passed_tips.end());
+        for (auto places : {&UncutReport::out_of_reach, &UncutReport::passed_by, &UncutReport::held,
+                            &UncutReport::covered}) {
+            UncutPlaces& mine = a.*places;
+            const UncutPlaces& more = b.*places;
+            mine.area += more.area;
+            if (more.height > mine.height) {
+                mine.height = more.height;
+                mine.at = more.at;
+            }
+        }
+    }
+
+    /// False where that asks for the part's tree and it is not there: then nothing was added.
+    bool facet(std::size_t f, UncutReport& report, const Progress& progress) {
         const Vec3 n = up_.normal(f);
-        if (n == Vec3::Zero()) return;
+        if (n == Vec3::Zero()) return true;
+        std::vector<Vec3> tips = std::move(report.passed_tips);
+        const std::size_t tips_before = tips.size();
+        const UncutReport before = report;
+        report.passed_tips = std::move(tips);
         const FacetRows rows(*in_.mesh, f, spacing_);
         report.area += rows.area();
         const Vec3 tip_offset = in_.cover->tip_offset(n);
@@ -231,19 +285,25 @@ private:
             for (std::size_t column = 0; column < rows.columns(row); ++column) {
                 if (column % row_part == 0) progress.check();
                 ++report.samples;
-                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report, progress);
+                if (sample(rows.point(row, column), n, tip_offset, rows.weight(row), report)) continue;
+                tips = std::move(report.passed_tips);
+                tips.resize(tips_before);
+                report = before;
+                report.passed_tips = std::move(tips);
+                return false;
             }
+        return true;
     }
 
-    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area, UncutReport& report,
-                const Progress& progress) {
+    bool sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
+                UncutReport& report) {
         // The cutter is convex: where it comes nearer to p along n than is allowed, it holds the place that
         // far above p.
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
-        if (passes_hold(p + in_.allowed * n, tip)) return;
+        if (passes_hold(p + in_.allowed * n, tip)) return true;
         if (tip.z() < in_.lowest_tip) {
             report.below += area;
-            return;
+            return true;
         }
         UncutPlaces* places = &report.out_of_reach;
         const Vec3 highest = p + in_.allowed * n;
@@ -251,7 +311,7 @@ private:
             && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
             places = &report.held;
         } else if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
-            if (!up_.closed() && !in_.outside_up) return;
+            if (!up_.closed() && !in_.outside_up) return true;
             places = &report.covered;
         } else {
             if (const auto reached = tip_that_reaches(p, n, tip)) {
@@ -261,11 +321,13 @@ private:
         }
         places->area += area;
         // How high exactly is asked only of the highest.
-        if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;
-        const double left = height(p, n, tip, std::max(places->height, in_.allowed), progress);
-        if (left <= places->height) return;
-        places->height = left;
+        if (places->height > 0 && passes_hold(p + places->height * n, tip)) return true;
+        const std::optional<double> left = height(p, n, tip, std::max(places->height, in_.allowed));
+        if (!left) return false;
+        if (*left <= places->height) return true;
+        places->height = *left;
         places->at = on_part;
+        return true;
     }
 
     /// A tip that comes down to p; none where the part around holds it up, wherever it stands.
@@ -293,9 +355,12 @@ private:
 
     /// How much stands over p, where that is more than `from`: along the normal, or upright where no pass
     /// crosses that soon; and no farther than its end is from all of the part, as the verifier says it.
-    double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from, const Progress& progress) {
-        const auto from_part = [&](double far, const Vec3& direction) {
-            return far > 2 * in_.allowed ? std::min(far, distance(p + far * direction, progress)) : far;
+    /// None where the part's tree is asked for and is not there.
+    std::optional<double> height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
+        const auto from_part = [&](double far, const Vec3& direction) -> std::optional<double> {
+            if (!(far > 2 * in_.allowed)) return far;
+            if (!facets_) return std::nullopt;
+            return std::min(far, distance(p + far * direction));
         };
         double low = from;
         for (double high = 1.25 * from; low < limit_; low = high, high *= 1.25) {
@@ -311,11 +376,10 @@ private:
     }
 
     /// From the part, but for what is to stay on it.
-    double distance(const Vec3& p, const Progress& progress) {
+    double distance(const Vec3& p) const {
         double near2 = infinity;
         const Mesh& mesh = in_.contact->mesh();
-        std::call_once(has_facets_, [&] { facets_ = BoxTree(facet_boxes(mesh), progress.part(0, 0)); });
-        facets_.nearest(p, near2, [&](std::size_t f) {
+        facets_->nearest(p, near2, [&](std::size_t f) {
             near2 =
                 std::min(near2, squared_distance(p, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)));
         });
@@ -326,8 +390,7 @@ private:
     UpwardFacets up_;
     Swept own_, own_left_out_;
     const SweptPasses &swept_, &left_out_;
-    std::once_flag has_facets_;
-    BoxTree facets_; ///< made when it is first asked for
+    std::optional<BoxTree> facets_; ///< made when it is first asked for
     AxialLift needle_;
     double limit_, spacing_ = 1;
 };

@@ -236,16 +236,7 @@ Vec3 CutterCover::tip_offset(const Vec3& n) const {
     return Vec3(q.x() * n.x() / sine, q.x() * n.y() / sine, -q.y());
 }
 
-double CutterCover::ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const {
-    const Vec3 d = p - tip;
-    double on_ball = infinity;
-    if (ball_) { // mostly its lower half is met
-        const Vec3 e(d.x(), d.y(), d.z() - radius_);
-        const double f = e.dot(n), q = f * f - (e.squaredNorm() - radius_ * radius_);
-        if (q >= 0) on_ball = -f - std::sqrt(q);
-        if (!(on_ball <= limit)) on_ball = infinity;
-        if (on_ball < infinity && e.z() + on_ball * n.z() < 0) return on_ball;
-    }
+double CutterCover::ray_entry_above(const Vec3& d, const Vec3& n, double limit, double on_ball) const {
     const double a = n.x() * n.x() + n.y() * n.y();
     const double b = d.x() * n.x() + d.y() * n.y();
     const double c = d.x() * d.x() + d.y() * d.y() - radius_ * radius_;

@@ -28,7 +28,18 @@ public:
     /// below p. n is a unit vector, n.z >= 0. This is the height of the material over p, along n, that the
     /// cutter leaves: the cusp (Lu 3.29 measures along the axis of the frame at the contact point, which is
     /// the same direction).
-    double ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const;
+    double ray_entry(const Vec3& p, const Vec3& n, const Vec3& tip, double limit) const {
+        const Vec3 d = p - tip;
+        double on_ball = infinity;
+        if (ball_) { // mostly its lower half is met
+            const Vec3 e(d.x(), d.y(), d.z() - radius_);
+            const double f = e.dot(n), q = f * f - (e.squaredNorm() - radius_ * radius_);
+            if (q >= 0) on_ball = -f - std::sqrt(q);
+            if (!(on_ball <= limit)) on_ball = infinity;
+            if (on_ball < infinity && e.z() + on_ball * n.z() < 0) return on_ball;
+        }
+        return ray_entry_above(d, n, limit, on_ball);
+    }
 
     /// True where the cutter, taken endless upward, holds a point, given from the tip.
     bool holds(const Vec3& rel) const;
@@ -70,6 +81,9 @@ public:
 
 private:
     double distance_from_profile(const Vec3& rel) const;
+    /// The same for a line d + t n, given from the tip, that does not meet the lower half of a ball;
+    /// `on_ball`: where it meets the ball, if there is one.
+    double ray_entry_above(const Vec3& d, const Vec3& n, double limit, double on_ball) const;
 
     CutterProfile profile_;
     double slack_, radius_, shoulder_ = 0, flat_radius_ = 0;

@@ -11,7 +11,7 @@ namespace {
 
 /// Segments that a thread takes at a time: their places are asked together, those of a halving after those of
 /// the one before.
-constexpr std::size_t block_segments = 64;
+constexpr std::size_t block_segments = 32;
 
 /// One line over a field.
 struct FieldLine {
