@@ -21,11 +21,11 @@ void look_for_previous_tool(OperationResult& result, const Project& project, con
                                      + ", its previous tool: what that would have cut stays");
 }
 
-/// Roughing and clean-up leave out what shank or holder would meet; others are told. Of a part that turns
-/// only raw material is known, so that nothing may have been turned before.
+/// Operations with an upright tool leave out what shank or holder would meet; others are told. Of a part that
+/// turns only raw material is known, so that nothing may have been turned before.
 void look_for_shank_in_stock(OperationResult& result, const Project& project, const Operation& operation,
                              const PlanContext& context, const Progress& progress) {
-    if (operation.purpose() != Purpose::finishing || operation.is_indexed()) return;
+    if (operation.purpose() != Purpose::finishing || operation.linking() == Linking::upright) return;
     ShankInStock touched;
     if (const LatheCommon* lathe = operation.turning()) {
         const auto turns = [](const auto& o) { return o->turning() != nullptr; };

@@ -14,6 +14,12 @@ constexpr double golden = 0.6180339887498949;
 /// Points over a cell, at most: the cells of a large stock are many times as wide as points of a small cutter
 /// are apart.
 constexpr double max_points = 1024;
+/// Points on a body's rim lie so much closer than those of cells: cusps of the passes on a wall that are a
+/// few thousandths deep in a shank are no wider than one or two of these.
+constexpr double rim_share = 0.5;
+/// So deep in a body, in radii of the operation's cutter, what stands touches it: more than a hole of its own
+/// cutter differs from it between two places that are asked.
+constexpr double rim_depth = 1e-4;
 
 } // namespace
 
@@ -21,7 +27,8 @@ FineStock::FineStock(const PlanContext& context, const StockField& field, const 
                      double spacing, double skin, double from)
     : field_(field), part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))),
       skin_(skin), from_(from), half_diagonal_(std::sqrt(0.5) * field.cell()),
-      tile_(tile_radii * cutter.radius()) {
+      tile_(tile_radii * cutter.radius()), rim_spacing_(rim_share * spacing),
+      rim_depth_(rim_depth * cutter.radius()) {
     // No two of a cell are on one line in x or in y: walls mostly run along these, with thin skins.
     const double n = std::clamp(std::ceil(field.cell() / spacing * field.cell() / spacing), 1.0, max_points);
     for (double k = 0; k < n; ++k)
@@ -89,7 +96,7 @@ FineStock::Points& FineStock::points(std::size_t cell) {
         Points& made = points_.emplace_back();
         // What the field tells is nowhere too low.
         const auto columns = std::size_t(field_.columns());
-        made.highest = float(field_.top(int(cell % columns), int(cell / columns)));
+        made.top = made.highest = float(field_.top(int(cell % columns), int(cell / columns)));
         made.heights.assign(spread_.size(), made.highest);
         for (std::size_t k = 0; k < made.heights.size(); ++k) {
             const Vec2 p = middle + spread_[k], hi = field_.box().hi.head<2>();
@@ -105,49 +112,104 @@ FineStock::Points& FineStock::points(std::size_t cell) {
     return result;
 }
 
+namespace {
+
+/// Any place of a motion gives a height over p that is not too low: the nearest, and the lower end.
+/// `lower(z, d)`: a tip at height z comes so near.
+template <class Lower>
+void over_motion(const Vec3& a, const Vec3& b, const Vec2& p, Lower&& lower) {
+    const Vec2 motion = (b - a).head<2>(), from = p - a.head<2>();
+    const double square = motion.squaredNorm();
+    const double t = square > 0 ? std::clamp(from.dot(motion) / square, 0.0, 1.0) : 0.0;
+    lower(a.z() + t * (b.z() - a.z()), (from - t * motion).norm());
+    if (a.z() == b.z()) return;
+    const Vec3& low = a.z() < b.z() ? a : b;
+    lower(low.z(), (p - low.head<2>()).norm());
+}
+
+} // namespace
+
 void FineStock::cut_from(Points& points, const Vec2& center, const Cut& cut) const {
     const StockCutter& cutter = cutters_[cut.cutter];
-    const Vec3& low = cut.a.z() < cut.b.z() ? cut.a : cut.b;
-    if (low.z() >= double(points.highest)) return;
-    const Vec2 a = cut.a.head<2>(), motion = cut.b.head<2>() - a;
-    const double square = motion.squaredNorm(), radius = cutter.radius();
-    const auto share = [&](const Vec2& p) {
-        return square > 0 ? std::clamp((p - a).dot(motion) / square, 0.0, 1.0) : 0.0;
-    };
-    const double away = (center - a - share(center) * motion).norm();
-    if (away > radius + half_diagonal_) return;
-    if (low.z() + cutter.below(std::max(0.0, away - half_diagonal_)) >= double(points.highest)) return;
-    const auto lower_to = [&](float& height, double z, double d) {
-        if (d > radius || double(height) <= z || double(height) > z + cutter.covered(d)) return;
+    const double low = std::min(cut.a.z(), cut.b.z());
+    if (low >= double(points.highest)) return;
+    double away = infinity;
+    over_motion(cut.a, cut.b, center, [&](double, double d) { away = std::min(away, d); });
+    if (away > cutter.radius() + half_diagonal_) return;
+    if (low + cutter.below(std::max(0.0, away - half_diagonal_)) >= double(points.highest)) return;
+    for (std::size_t k = 0; k < points.heights.size(); ++k)
+        if (double(points.heights[k]) > low)
+            points.heights[k] = lowered(points.heights[k], center + spread_[k], cut);
+}
+
+float FineStock::lowered(float height, const Vec2& p, const Cut& cut) const {
+    const StockCutter& cutter = cutters_[cut.cutter];
+    over_motion(cut.a, cut.b, p, [&](double z, double d) {
+        if (d > cutter.radius() || double(height) <= z || double(height) > z + cutter.covered(d)) return;
         height = std::min(height, float(z + cutter.above(d)));
-    };
-    for (std::size_t k = 0; k < points.heights.size(); ++k) {
-        float& height = points.heights[k];
-        if (double(height) <= low.z()) continue;
-        const Vec2 p = center + spread_[k];
-        // Any place of the motion gives a height that is not too low: the nearest, and the lower end.
-        const double t = share(p);
-        lower_to(height, cut.a.z() + t * (cut.b.z() - cut.a.z()), (p - a - t * motion).norm());
-        if (cut.a.z() != cut.b.z()) lower_to(height, low.z(), (p - low.head<2>()).norm());
-    }
+    });
+    return height;
 }
 
 double FineStock::over(std::size_t cell, const Vec2& p, double radius, double base) {
     Points& all = points(cell);
-    if (double(all.highest) <= base) return 0;
     const Vec2 middle = center(cell);
     double over = 0;
-    for (std::size_t k = 0; k < all.heights.size(); ++k) {
+    for (std::size_t k = 0; double(all.highest) > base && k < all.heights.size(); ++k) {
         float& height = all.heights[k];
         if (double(height) - base <= over) continue;
         const Vec2 at = middle + spread_[k];
         if ((at - p).squaredNorm() >= radius * radius) continue;
-        if (double(height) <= part_.tip_z(at.x(), at.y()) + skin_)
-            height = -std::numeric_limits<float>::infinity(); // it is the part, and only gets lower
+        if (is_part(at, height))
+            height = -std::numeric_limits<float>::infinity(); // and only gets lower
         else
             over = double(height) - base;
     }
+    return over + over_rim(all, cell, p, radius, base + over);
+}
+
+/// A cusp that comes into a body from beside it is widest at its rim.
+double FineStock::over_rim(Points& points, std::size_t cell, const Vec2& p, double radius, double base) {
+    const double rim = radius - rim_depth_;
+    const Vec2 middle = center(cell), to = middle - p;
+    const double away = to.norm();
+    if (std::abs(away - rim) > half_diagonal_ || double(points.top) <= base) return 0;
+    const double step = rim_spacing_ / rim;
+    const double half = away > half_diagonal_ ? std::asin(half_diagonal_ / away) : pi;
+    const double middle_angle = std::atan2(to.y(), to.x());
+    const double last = std::floor((middle_angle + half) / step);
+    double over = 0;
+    for (double k = std::ceil((middle_angle - half) / step); k <= last; ++k) {
+        const Vec2 at = p + rim * Vec2(std::cos(k * step), std::sin(k * step));
+        if ((at - middle).cwiseAbs().maxCoeff() > 0.5 * field_.cell()) continue;
+        const float height = standing(points, cell, at, base + over);
+        if (double(height) > base + over && !is_part(at, height)) over = double(height) - base;
+    }
     return over;
+}
+
+/// How high it stands at a place of a cell, or any height not above `enough`.
+float FineStock::standing(Points& points, std::size_t cell, const Vec2& p, double enough) const {
+    const Vec2 hi = field_.box().hi.head<2>();
+    if (p.x() > hi.x() || p.y() > hi.y()) return -std::numeric_limits<float>::infinity();
+    const auto& cuts = near_[tile_of(center(cell))];
+    // Mostly what cut one place cut its neighbour, too, and late ones cut most beside walls.
+    if (points.cleared_by < cuts.size())
+        if (const float left = lowered(points.top, p, cuts_[cuts[points.cleared_by]]); double(left) <= enough)
+            return left;
+    for (std::size_t i = cuts.size(); i-- > 0;)
+        if (const float left = lowered(points.top, p, cuts_[cuts[i]]); double(left) <= enough) {
+            points.cleared_by = i;
+            return left;
+        }
+    float height = points.top;
+    for (std::size_t i = 0; i < cuts.size() && double(height) > enough; ++i)
+        height = lowered(height, p, cuts_[cuts[i]]);
+    return height;
+}
+
+bool FineStock::is_part(const Vec2& p, float height) const {
+    return double(height) <= part_.tip_z(p.x(), p.y()) + skin_;
 }
 
 } // namespace facetmill

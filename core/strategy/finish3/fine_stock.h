@@ -3,8 +3,9 @@
 // coordinates.
 //
 // Over a cell that is asked about points are spread, and what cut near it is asked how high it left each of
-// them. Few cells are asked: those that a wall crosses, beside passes that run deeper along it than the
-// flutes are long.
+// them; and of points on the rim of a body, into which the cusps of passes on a wall come less deep than
+// points of cells are apart. Few cells are asked: those that a wall crosses, beside passes that run deeper
+// along it than the flutes are long.
 #pragma once
 
 #include "core/gouge/axial_lift.h"
@@ -37,8 +38,10 @@ private:
     };
     /// The points over a cell.
     struct Points {
-        std::size_t cuts = 0; ///< of its tile, that were asked
-        float highest;        ///< no point is higher
+        std::size_t cuts = 0;       ///< of its tile, that were asked
+        std::size_t cleared_by = 0; ///< of its tile: what cut the point on a rim asked last
+        float top;                  ///< before any of them
+        float highest;              ///< no point is higher
         std::vector<float> heights;
     };
 
@@ -47,11 +50,15 @@ private:
     Vec2 center(std::size_t cell) const;
     Points& points(std::size_t cell);
     void cut_from(Points& points, const Vec2& center, const Cut& cut) const;
+    float lowered(float height, const Vec2& p, const Cut& cut) const;
+    double over_rim(Points& points, std::size_t cell, const Vec2& p, double radius, double base);
+    float standing(Points& points, std::size_t cell, const Vec2& p, double enough) const;
+    bool is_part(const Vec2& p, float height) const;
 
     const StockField& field_;
     std::vector<StockCutter> cutters_; ///< the operation's own is the last
     AxialLift part_;
-    double skin_, from_, half_diagonal_, tile_;
+    double skin_, from_, half_diagonal_, tile_, rim_spacing_, rim_depth_;
     std::vector<Vec2> spread_; ///< the points of every cell, from its centre
     int tile_columns_ = 0, tile_rows_ = 0;
     std::vector<Cut> cuts_;

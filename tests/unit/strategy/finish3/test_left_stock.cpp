@@ -63,6 +63,36 @@ private slots:
             }
     }
 
+    /// Two passes went up a wall beside each other and left a cusp between them: a shank as wide as their
+    /// cutter between the two comes into it less deep than points of cells are apart, wherever it stands.
+    void a_cusp_that_is_hardly_deep_stops_the_shank() {
+        const double radius = 3, top = 12;
+        Tool tool = ball_tool(2 * radius);
+        tool.flute_length = 8;
+        tool.shank_diameter = 2 * radius;
+        tool.shank_length = 20;
+        PlanContext context = context_of(step(0, top), tool);
+        context.stock.box = context.stock_box = context.part_box;
+        const double y = radius + 0.05;
+        for (const double deep : {0.0001, 0.0015, 0.004, 0.01}) {
+            const double half = std::sqrt(2 * radius * deep);
+            int free = 0, held = 0;
+            for (double x = -6; x <= 6; x += 0.37) {
+                auto earlier = std::make_shared<EarlierCuts>();
+                earlier->cutter = AptCutter::flat(2 * radius, 30);
+                for (const double beside : {-half, half})
+                    earlier->motions.push_back({Vec3(x + beside, y, 6), Vec3(x + beside, y, top)});
+                context.earlier = {earlier};
+                LeftStock stock(context, 0.12, 0.024, 0.0025, 0, Progress());
+                const double lack = stock.lack(Vec3(x, y, 0));
+                ++(lack > 0 ? held : free);
+                if (lack > 0) QVERIFY2(std::abs(lack - 4) < 1e-5, qPrintable(QString::number(lack)));
+            }
+            QVERIFY2((deep < 0.0003 ? held : free) == 0,
+                     qPrintable(QString("%1 deep: %2 held, %3 free").arg(deep).arg(held).arg(free)));
+        }
+    }
+
     /// Two channels side by side with a thin ridge between them that is higher than the flutes: from one to
     /// the other a near link goes over it as far as the shank asks for, and a far one does not go.
     void links_go_over_what_the_shank_would_meet() {
