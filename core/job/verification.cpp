@@ -42,6 +42,8 @@ const char* uncut_word(UncutReason::Why why) {
     switch (why) {
     case UncutReason::Why::not_cut:
         return "not_cut";
+    case UncutReason::Why::passes_apart:
+        return "passes_apart";
     case UncutReason::Why::no_operation:
         return "no_operation";
     case UncutReason::Why::no_tool:
@@ -199,6 +201,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
     switch (reason.why) {
     case UncutReason::Why::not_cut:
         return (of.empty() ? "a tool" : "the tool" + of) + " fits but does not go there";
+    case UncutReason::Why::passes_apart:
+        return "the passes" + of + " lie too far apart there";
     case UncutReason::Why::no_operation:
         return "no operation finishes there: only the tool" + of + " fits, and that operation leaves stock";
     case UncutReason::Why::no_tool:

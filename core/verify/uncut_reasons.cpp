@@ -83,6 +83,8 @@ struct FitTool {
     std::vector<Held> fixtures;
     std::vector<Vec3> axes; ///< with which its program cuts
     std::function<bool(const Vec3&)> asked;
+    std::shared_ptr<const ToolMotions> motions;
+    double radius = 0;          ///< of the cutter
     bool finishes = true;       ///< what its operation leaves does not count as uncut
     Vec3 up = Vec3::UnitZ();    ///< of its setup
     double lowest = -infinity;  ///< along it: the stock's bottom, or how low the cutter goes if that is lower
@@ -137,7 +139,9 @@ public:
         : room_(samples.points, order, progress), allowance_(used.allowance), limit_(2 * used.tolerance),
           gouge_limit_(used.gouge_limit) {
         for (const VerifyProgram& p : programs) {
-            FitTool tool{BodySupport(p.tool.cutter), {}, {}, cutting_axes({&p, 1}, progress), p.asked};
+            FitTool tool{BodySupport(p.tool.cutter),      {},      {},
+                         cutting_axes({&p, 1}, progress), p.asked, p.motions,
+                         p.tool.cutter.max_radius()};
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
             tool.finishes = p.leaves <= used.allowance + limit_;
@@ -158,6 +162,15 @@ public:
     /// And those of a program against what it begins with.
     void begin_in(std::size_t program, const StockModel& stock, const Progress& progress) {
         tools_[program].before.emplace(stock_places(stock, progress), progress);
+    }
+    /// True where the tool of the program of `by`, the motion that left what stands, fits no farther from it
+    /// than the cutter is wide at its radius: it goes by, and the next pass does, too far away.
+    bool is_beside(const Vec3& point, const Vec3& normal, const MotionPlace& by) const {
+        const FitTool& tool = tools_[by.program];
+        Vec3 tip;
+        return tool.finishes && (!tool.asked || tool.asked(point))
+               && fit_of(tool, point, normal, &tip) == UncutReason::Why::not_cut
+               && distance(tip, tool.motions->motions, by.motion) <= tool.radius;
     }
     /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, no_operation, or
     /// no_tool; and the program whose tool or cutter it is.
@@ -191,8 +204,17 @@ private:
             if (m.kind != MotionKind::rapid)
                 tool.lowest = std::min(tool.lowest, lowest_of(tool.cutter, m.to, tool.up));
     }
-    /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools.
-    UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal) const {
+    /// How far a tip is from where another goes in a motion.
+    static double distance(const Vec3& tip, std::span<const Motion> motions, std::size_t motion) {
+        const Vec3 to = motions[motion].to.tip, moved = to - motions[motion > 0 ? motion - 1 : 0].to.tip;
+        const double square = moved.squaredNorm();
+        const double t = square > 0 ? std::clamp((to - tip).dot(moved) / square, 0.0, 1.0) : 0;
+        return (to - t * moved - tip).norm();
+    }
+    /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools; for the first the
+    /// tip.
+    UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal,
+                            Vec3* tip = nullptr) const {
         const Vec3 start = point + allowance_ * normal;
         bool held = false, beside_fixture = false, in_tab = false, in_stock = false, low = false;
         for (const auto& [along, axis] : axes_near(tool, normal))
@@ -210,8 +232,10 @@ private:
                 else if ((left_ && !body_stands(*left_, at, tool))
                          || (tool.before && !body_stands(*tool.before, at, tool)))
                     in_stock = true;
-                else
+                else {
+                    if (tip) *tip = at.tip;
                     return UncutReason::Why::not_cut;
+                }
             }
         return in_stock         ? UncutReason::Why::stock
                : low            ? UncutReason::Why::below_bottom
@@ -283,6 +307,50 @@ private:
     double allowance_, limit_, gouge_limit_;
 };
 
+/// Why each of the samples that are asked is uncut.
+std::vector<WhyUncut> why_uncut(const Verification& v, const std::vector<std::size_t>& asked,
+                                const SurfaceSamples& samples, const std::vector<std::uint32_t>& order,
+                                const Probed& probed, const StocksBefore& before,
+                                std::span<const VerifyProgram> programs, const Progress& progress) {
+    using Why = UncutReason::Why;
+    std::vector<WhyUncut> found(asked.size());
+    if (asked.empty()) return found;
+    Fit fit(samples, order, programs, v.stock ? v.stock->solid().box : Box3(), v.used, progress);
+    const auto ask = [&](std::size_t g) {
+        const std::size_t i = asked[g];
+        found[g] = fit.reason(samples.points[i], samples.normals[i]);
+    };
+    parallel_for(asked.size(), 4, progress, ask);
+    // What is left of the stock is many more places: only where nothing else is in the way.
+    const auto fits = [](const WhyUncut& why) { return why.why == Why::not_cut; };
+    const auto ask_again = [&](std::size_t program) {
+        parallel_for(asked.size(), 4, progress, [&](std::size_t g) {
+            if (fits(found[g]) && (program == no_program || found[g].program == program)) ask(g);
+        });
+    };
+    if (v.stock && std::any_of(found.begin(), found.end(), fits)) {
+        fit.stand_in(*v.stock, progress);
+        ask_again(no_program);
+    }
+    // A tool that came into the stock was not kept from anywhere by it.
+    for (std::size_t i = std::min(before.size(), programs.size()); i-- > 0;) {
+        const auto its = [&](const WhyUncut& why) { return fits(why) && why.program == i; };
+        const auto touched = [&](const Collision& c) { return c.at.program == i && !c.with_part; };
+        if (std::none_of(found.begin(), found.end(), its)
+            || std::any_of(v.collisions.begin(), v.collisions.end(), touched))
+            continue;
+        fit.begin_in(i, *before[i], progress);
+        ask_again(i);
+    }
+    parallel_for(asked.size(), 4, progress, [&](std::size_t g) {
+        const std::size_t i = asked[g];
+        if (fits(found[g]) && probed.by[i].known()
+            && fit.is_beside(samples.points[i], samples.normals[i], probed.by[i]))
+            found[g] = {Why::passes_apart, probed.by[i].program};
+    });
+    return found;
+}
+
 } // namespace
 
 void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Probed& probed,
@@ -325,36 +393,11 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
     }
     const std::size_t groups = std::min(standing.size(), max_asked);
     const auto first_of = [&](std::size_t group) { return group * standing.size() / groups; };
-    std::vector<WhyUncut> found(groups);
-    if (groups > 0) {
-        Fit fit(samples, order, programs, v.stock ? v.stock->solid().box : Box3(), v.used, progress);
-        const auto ask = [&](std::size_t g) {
-            const std::size_t i = standing[(first_of(g) + first_of(g + 1)) / 2];
-            found[g] = fit.reason(samples.points[i], samples.normals[i]);
-        };
-        parallel_for(groups, 4, progress, ask);
-        // What is left of the stock is many more places: only where nothing else is in the way.
-        const auto fits = [](const WhyUncut& why) { return why.why == Why::not_cut; };
-        const auto ask_again = [&](std::size_t program) {
-            parallel_for(groups, 4, progress, [&](std::size_t g) {
-                if (fits(found[g]) && (program == no_program || found[g].program == program)) ask(g);
-            });
-        };
-        if (v.stock && std::any_of(found.begin(), found.end(), fits)) {
-            fit.stand_in(*v.stock, progress);
-            ask_again(no_program);
-        }
-        // A tool that came into the stock was not kept from anywhere by it.
-        for (std::size_t i = std::min(before.size(), programs.size()); i-- > 0;) {
-            const auto its = [&](const WhyUncut& why) { return fits(why) && why.program == i; };
-            const auto touched = [&](const Collision& c) { return c.at.program == i && !c.with_part; };
-            if (std::none_of(found.begin(), found.end(), its)
-                || std::any_of(v.collisions.begin(), v.collisions.end(), touched))
-                continue;
-            fit.begin_in(i, *before[i], progress);
-            ask_again(i);
-        }
-    }
+    std::vector<std::size_t> asked;
+    for (std::size_t g = 0; g < groups; ++g)
+        asked.push_back(standing[(first_of(g) + first_of(g + 1)) / 2]);
+    const std::vector<WhyUncut> found =
+        why_uncut(v, asked, samples, order, probed, before, programs, progress);
     for (std::size_t g = 0; g < groups; ++g)
         for (std::size_t k = first_of(g); k < first_of(g + 1); ++k) {
             const std::size_t i = standing[k];

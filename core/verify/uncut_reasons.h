@@ -21,10 +21,11 @@ using StocksBefore = std::vector<std::shared_ptr<const StockModel>>;
 /// lies deeper in it than the gouge limit; shank and holder likewise. Where these would stand in
 /// what is left of the stock, or in what the program began with and its tool kept out of, that is the reason;
 /// likewise where the cutter would be lower than the bottom of
-/// the stock and than its program goes anywhere. Where it does nearer to a fixture than
-/// the clearance, the fixture is the reason. Tools of operations that leave more than counts as uncut are
-/// asked last, and are no more than a hint. Where a program is not asked to cut there, and no other that is
-/// has a tool for it, its boundary. Some thousand samples are asked; each stands for those about it.
+/// the stock and than its program goes anywhere. Where the motion that left what stands goes by, with a tool
+/// that fits there, no farther away than its radius, passes lie too far apart. Where it does nearer to a
+/// fixture than the clearance, the fixture is the reason. Tools of operations that leave more than counts as
+/// uncut are asked last, and are no more than a hint. Where a program is not asked to cut there, and no other
+/// that is has a tool for it, its boundary. Some thousand samples are asked; each stands for those about it.
 void find_uncut_reasons(Verification& verification, const SurfaceSamples& samples, const Probed& probed,
                         const StocksBefore& before, std::span<const VerifyProgram> programs,
                         const Progress& progress);

@@ -110,6 +110,7 @@ struct DeviationExtreme {
 struct UncutReason {
     enum class Why : std::uint8_t {
         not_cut,       ///< a tool fits in there, and no motion goes
+        passes_apart,  ///< a tool fits in there, and what stands was left by a pass that goes by
         held,          ///< the cutter fits in there, shank or holder do not
         stock,         ///< a tool fits in there, its shank or holder in what is left of the stock
         below_bottom,  ///< a tool fits in there, lower than the stock's bottom and than its program goes

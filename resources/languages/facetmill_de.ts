@@ -8376,6 +8376,10 @@
         <translation>die Bahnen lassen mehr als erwartet: {1} bleiben um bis zu {2} stehen, am meisten bei {3}: eine kleinere Toleranz oder einen kleineren Bahnabstand wählen</translation>
     </message>
     <message>
+        <source>the passes{1} lie too far apart there</source>
+        <translation>die Bahnen{1} liegen dort zu weit auseinander</translation>
+    </message>
+    <message>
         <source>the path asks for more than {1} places of this tool</source>
         <translation>der Weg verlangt mehr als {1} Stellen dieses Werkzeugs</translation>
     </message>

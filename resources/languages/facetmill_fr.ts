@@ -8376,6 +8376,10 @@
         <translation>les passes laissent plus que prévu : {1} restent non usinés de {2} au plus, le plus à {3} : choisir une tolérance ou un pas latéral plus petits</translation>
     </message>
     <message>
+        <source>the passes{1} lie too far apart there</source>
+        <translation>les passes{1} y sont trop écartées</translation>
+    </message>
+    <message>
         <source>the path asks for more than {1} places of this tool</source>
         <translation>le parcours demande plus de {1} places de cet outil</translation>
     </message>

@@ -487,6 +487,31 @@ private slots:
         QVERIFY(down.uncut_share < kept.uncut_share);
     }
 
+    /// Between two passes a ball leaves a cusp that it could cut; where it never goes it leaves all.
+    void what_passes_too_far_apart_leave() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 8;
+        Tool ball = ball_tool(6);
+        ball.flute_length = 40;
+        // Cusps of .7 mm between them, and all of the other half.
+        VerifyProgram half = lines(ball, Vec2(-30, -20), Vec2(30, 0), 0, 4);
+        const Verification v = judged(part, stock, half);
+        const UncutReason *apart = reason(v, UncutReason::Why::passes_apart),
+                          *not_cut = reason(v, UncutReason::Why::not_cut);
+        QVERIFY(apart && apart->counts() && apart->program == half.name && not_cut);
+        QVERIFY2(apart->excess_max > 0.6 && apart->excess_max < 3.1 && apart->place.y() < 3.1,
+                 qPrintable(QString::number(apart->excess_max)));
+        QVERIFY2(std::abs(not_cut->area - 17 * 60) < 60 && not_cut->place.y() > 2.5,
+                 qPrintable(QString::number(not_cut->area)));
+        // What a pass high above left was not left by one that goes by.
+        const Verification high = judged(part, stock, lines(ball, Vec2(-30, -20), Vec2(30, 20), 4, 0.5));
+        QVERIFY(!reason(high, UncutReason::Why::passes_apart) && reason(high, UncutReason::Why::not_cut));
+        // Nor is roughing that leaves as much on purpose at fault.
+        half.leaves = 2 * 2 * asked().tolerance;
+        QVERIFY(!reason(judged(part, stock, half), UncutReason::Why::passes_apart));
+    }
+
     /// Beside an upright wall a ball leaves what the flat end before it could cut: the reason names that one.
     void whose_tool_would_fit() {
         const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 6}, {-20, 6}},
