@@ -163,14 +163,27 @@ public:
     void begin_in(std::size_t program, const StockModel& stock, const Progress& progress) {
         tools_[program].before.emplace(stock_places(stock, progress), progress);
     }
-    /// True where the tool of the program of `by`, the motion that left what stands, fits no farther from it
-    /// than the cutter is wide at its radius: it goes by, and the next pass does, too far away.
-    bool is_beside(const Vec3& point, const Vec3& normal, const MotionPlace& by) const {
-        const FitTool& tool = tools_[by.program];
+    /// True where a program's tool fits no farther than its cutter is wide at its radius from the motion that
+    /// left what stands, or, if it is upright, where others of its motions go by above and below, as along a
+    /// steep side: the next pass is too far away. `by`: that motion; unknown where it is another program's.
+    bool is_beside(const Vec3& point, const Vec3& normal, std::size_t program, const MotionPlace& by) const {
+        const FitTool& tool = tools_[program];
         Vec3 tip;
-        return tool.finishes && (!tool.asked || tool.asked(point))
-               && fit_of(tool, point, normal, &tip) == UncutReason::Why::not_cut
-               && distance(tip, tool.motions->motions, by.motion) <= tool.radius;
+        if (!tool.finishes || (tool.asked && !tool.asked(point))
+            || fit_of(tool, point, normal, &tip) != UncutReason::Why::not_cut)
+            return false;
+        const std::span<const Motion> motions = tool.motions->motions;
+        if (by.known() && from_motion(tip, motions, by.motion).norm() <= tool.radius) return true;
+        if (tool.axes.size() != 1) return false;
+        bool above = false, below = false;
+        for (std::size_t i = 1; i < motions.size() && !(above && below); ++i) {
+            if (motions[i].kind == MotionKind::rapid) continue;
+            const Vec3 off = from_motion(tip, motions, i);
+            const double height = off.dot(tool.axes.front());
+            if (off.squaredNorm() - height * height <= tool.radius * tool.radius)
+                (height < 0 ? above : below) = true;
+        }
+        return above && below;
     }
     /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, no_operation, or
     /// no_tool; and the program whose tool or cutter it is.
@@ -204,12 +217,12 @@ private:
             if (m.kind != MotionKind::rapid)
                 tool.lowest = std::min(tool.lowest, lowest_of(tool.cutter, m.to, tool.up));
     }
-    /// How far a tip is from where another goes in a motion.
-    static double distance(const Vec3& tip, std::span<const Motion> motions, std::size_t motion) {
+    /// To a tip from where another is nearest to it in a motion.
+    static Vec3 from_motion(const Vec3& tip, std::span<const Motion> motions, std::size_t motion) {
         const Vec3 to = motions[motion].to.tip, moved = to - motions[motion > 0 ? motion - 1 : 0].to.tip;
         const double square = moved.squaredNorm();
         const double t = square > 0 ? std::clamp((to - tip).dot(moved) / square, 0.0, 1.0) : 0;
-        return (to - t * moved - tip).norm();
+        return tip - to + t * moved;
     }
     /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools; for the first the
     /// tip.
@@ -343,10 +356,13 @@ std::vector<WhyUncut> why_uncut(const Verification& v, const std::vector<std::si
         ask_again(i);
     }
     parallel_for(asked.size(), 4, progress, [&](std::size_t g) {
-        const std::size_t i = asked[g];
-        if (fits(found[g]) && probed.by[i].known()
-            && fit.is_beside(samples.points[i], samples.normals[i], probed.by[i]))
-            found[g] = {Why::passes_apart, probed.by[i].program};
+        if (!fits(found[g])) return;
+        const Vec3 &point = samples.points[asked[g]], &normal = samples.normals[asked[g]];
+        const MotionPlace& by = probed.by[asked[g]];
+        if (by.known() && fit.is_beside(point, normal, by.program, by))
+            found[g] = {Why::passes_apart, by.program};
+        else if (fit.is_beside(point, normal, found[g].program, {}))
+            found[g].why = Why::passes_apart;
     });
     return found;
 }

@@ -22,7 +22,8 @@ using StocksBefore = std::vector<std::shared_ptr<const StockModel>>;
 /// what is left of the stock, or in what the program began with and its tool kept out of, that is the reason;
 /// likewise where the cutter would be lower than the bottom of
 /// the stock and than its program goes anywhere. Where the motion that left what stands goes by, with a tool
-/// that fits there, no farther away than its radius, passes lie too far apart. Where it does nearer to a
+/// that fits there, no farther away than its radius, or an upright tool that fits goes by above and below,
+/// passes lie too far apart. Where it does nearer to a
 /// fixture than the clearance, the fixture is the reason. Tools of operations that leave more than counts as
 /// uncut are asked last, and are no more than a hint. Where a program is not asked to cut there, and no other
 /// that is has a tool for it, its boundary. Some thousand samples are asked; each stands for those about it.
