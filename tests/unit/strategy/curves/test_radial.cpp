@@ -117,11 +117,13 @@ private slots:
         QTest::addColumn<QString>("kind");
         QTest::addColumn<int>("part");
         QTest::addColumn<int>("tool");
+        // Under a sanitizer two cutters a kind, all of them by one kind or another.
         int row = 0;
         for (const char* kind : {"radial", "spiral", "morph"})
             for (int p = 0; p < 3; ++p)
                 for (int t = 0; t < 4; ++t, ++row)
-                    if (all_cases || (p + t + row / 12) % 3 == 0)
+                    if (all_cases
+                        || ((p + t + row / 12) % 3 == 0 && (!under_sanitizer || (t + row / 12) % 2 == 0)))
                         QTest::addRow("%s %d %s", kind, p, tools_of_every_shape()[std::size_t(t)].name)
                             << kind << p << t;
     }

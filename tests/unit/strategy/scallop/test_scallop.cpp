@@ -196,10 +196,12 @@ private slots:
         QTest::addColumn<int>("from");
         QTest::addColumn<double>("noise");
         QTest::addColumn<bool>("spiral");
-        QTest::newRow("hill") << 0 << int(From::border) << 0.0 << false;
-        QTest::newRow("hill from a place") << 0 << int(From::place) << 0.0 << false;
+        if (!under_sanitizer) { // what the others do holds what these do
+            QTest::newRow("hill") << 0 << int(From::border) << 0.0 << false;
+            QTest::newRow("hill from a place") << 0 << int(From::place) << 0.0 << false;
+            QTest::newRow("saddle") << 1 << int(From::border) << 0.0 << false;
+        }
         QTest::newRow("hill from a curve") << 0 << int(From::curve) << 0.0 << false;
-        QTest::newRow("saddle") << 1 << int(From::border) << 0.0 << false;
         QTest::newRow("noisy hill") << 0 << int(From::border) << 0.002 << false;
         QTest::newRow("spiral on a hill") << 0 << int(From::place) << 0.0 << true;
     }
