@@ -128,9 +128,8 @@ double PartialPasses::partial_count(const EstimatedPass& a, const EstimatedPass*
     return passes_in(gap, width);
 }
 
-std::array<double, 2> PartialPasses::least_partial(const EstimatedPass& last, const Found& found,
-                                                   const BinRange& within,
-                                                   std::vector<double>& likely) const {
+std::array<double, 2> PartialPasses::min_partial(const EstimatedPass& last, const Found& found,
+                                                 const BinRange& within, std::vector<double>& likely) const {
     const double gap = found.v - last.v;
     double travel = 0, length = 0, most = 0, beyond = 0;
     for (std::size_t i = within.first; i <= within.last; ++i) {
@@ -234,7 +233,7 @@ std::optional<EstimatedPass> PartialPasses::cheapest(const EstimatedPass& last, 
                 for (std::size_t b = bins_.at(from); b <= bins_.at(to); ++b)
                     found.width_lo[b] = std::min(found.width_lo[b], width);
             }
-            const auto [partial, share] = least_partial(last, found, within, likely);
+            const auto [partial, share] = min_partial(last, found, within, likely);
             return !(found.own_travel + partial < refused) || (whole.satisfied && share > max_partial);
         };
         auto p = stepover_.passes().estimate(plane, travel, step, within, refusal, progress.part(0, 0));

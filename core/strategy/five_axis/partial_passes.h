@@ -70,8 +70,8 @@ private:
     };
     /// The least that its partial passes can travel, mm, and the least share of the travel that they can be
     /// asked for on. Sets `likely` where they are.
-    std::array<double, 2> least_partial(const EstimatedPass& last, const Found& found, const BinRange& within,
-                                        std::vector<double>& likely) const;
+    std::array<double, 2> min_partial(const EstimatedPass& last, const Found& found, const BinRange& within,
+                                      std::vector<double>& likely) const;
     /// What a pass travels itself, mm.
     double own_travel(const EstimatedPass& pass) const;
     /// What a pass after `last` travels with the partial ones before it, mm for each mm of width.
