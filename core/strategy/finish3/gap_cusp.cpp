@@ -12,6 +12,8 @@ namespace {
 
 /// Columns that a thread takes at a time.
 constexpr std::size_t block_columns = 32;
+/// From so many facets on it is worth to share out where there is something to cut.
+constexpr std::size_t facets_shared = 100'000;
 /// A lift that changes by more than this per unit sideways is looked at as a wall.
 constexpr double wall_slope = 5;
 /// Contacts of tips that move by less than this share of the distance between the tips stand still: an edge,
@@ -56,6 +58,10 @@ double highest_ridge(const std::array<CuspField::Sample, 3>& s, const std::array
     return highest;
 }
 
+std::array<double, 3> squared(const std::array<double, 3>& x) {
+    return {x[0] * x[0], x[1] * x[1], x[2] * x[2]};
+}
+
 /// Just inside the ends of a range, so that there is something below.
 double inset(const Interval& r) {
     return std::min(tolerance::border_inset, 0.1 * r.length());
@@ -77,11 +83,15 @@ GapCusp::GapCusp(const CuspField& field, const DriveLine* a, const DriveLine* b,
         const double from_border = std::min(tolerance::border_inset, 0.01 * (v1_ - v0_));
         if (!a && i == 0) v_[i] = v0_ + from_border;
         if (!b && i == rows - 1) v_[i] = v1_ - from_border;
-        domain_[i] = line_at(v_[i]);
-        all.insert(all.end(), domain_[i].begin(), domain_[i].end());
     }
-    if (a) domain_a_ = line_at(a->v);
-    if (b) domain_b_ = line_at(b->v);
+    const bool large = in_.domain->usable_facets() > facets_shared;
+    parallel_for(rows + 2, large ? 1 : rows + 2, Progress(), [&](std::size_t k) {
+        if (k < rows) domain_[k] = line_at(v_[k]);
+        if (k == rows && a) domain_a_ = line_at(a->v);
+        if (k > rows && b) domain_b_ = line_at(b->v);
+    });
+    for (const std::vector<Interval>& row : domain_)
+        all.insert(all.end(), row.begin(), row.end());
     place_columns(std::move(all), within);
 }
 
@@ -286,12 +296,7 @@ void GapCusp::look_at_ridges(Found& found) const {
     const double root = highest_ridge(found.s, found.x, found.y);
     found.worst = std::max(found.worst, root * root);
     if (!field_.sharp()) return;
-    std::array<double, rows> x = found.x, y = found.y;
-    for (int i = 0; i < rows; ++i) {
-        x[i] *= x[i];
-        y[i] *= y[i];
-    }
-    found.worst = std::max(found.worst, highest_ridge(found.s, x, y));
+    found.worst = std::max(found.worst, highest_ridge(found.s, squared(found.x), squared(found.y)));
 }
 
 void GapCusp::look_at_walls(Found& found, Block& block) const {

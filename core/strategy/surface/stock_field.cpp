@@ -14,9 +14,9 @@ namespace {
 
 /// Pieces of a motion are this many radii long: their boxes hold little that the cutter does not reach.
 constexpr double piece_radii = 2;
-/// From so many motions on it is worth to share their rows among threads, in so many bands at most, of so
-/// many rows at least.
-constexpr std::size_t band_motions = 16, max_bands = 32, min_band = 2;
+/// From so many motions on it is worth to share their rows among threads, in so many bands a thread, of so
+/// many rows at least: every band looks at every motion.
+constexpr std::size_t band_motions = 16, bands_per_thread = 2, min_band = 4;
 /// Motions between two looks at the cancel flag.
 constexpr std::size_t motions_per_check = 64;
 
@@ -312,9 +312,11 @@ public:
         all = {std::max(all.first, 0), std::min(all.last, field_.rows_ - 1)};
         const bool stood = field_.last_tip_ == motions_.front()[0] && field_.last_cutter_ == cutter_.number_;
         const auto n = std::size_t(std::max(all.last - all.first + 1, 0));
+        const auto bands = bands_per_thread * std::size_t(thread_count());
         // A single thread takes all rows at once, and so it is with few motions.
-        const std::size_t band =
-            motions_.size() < band_motions || thread_count() == 1 ? n : std::max(min_band, n / max_bands);
+        const std::size_t band = motions_.size() < band_motions || thread_count() == 1
+                                     ? n
+                                     : std::max(min_band, (n + bands - 1) / bands);
         parallel_blocks(n, band, progress, [&](std::size_t begin, std::size_t end) {
             const StockRows rows{all.first + int(begin), all.first + int(end) - 1};
             for (std::size_t i = 0; i < motions_.size(); ++i) {
