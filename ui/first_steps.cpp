@@ -8,6 +8,7 @@
 #include "ui/program_export.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
+#include "ui/verification_controller.h"
 
 #include <QAction>
 #include <QBoxLayout>
@@ -91,7 +92,9 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(window.centralWidget()), win
     connect(&window.document(), &Document::opened, this, &FirstSteps::reset);
     connect(&window.document(), &Document::changed, this, &FirstSteps::look);
     connect(&window.controllers(), &Controllers::verified, this, [this] {
-        taken_[std::size_t(Step::judge)] = true;
+        // What failed is looked at first.
+        if (window_.verification().model().verdict() == Verdict::verified)
+            taken_[std::size_t(Step::judge)] = true;
         show_steps();
     });
     connect(&window.exports(), &ProgramExport::programs_written, this, [this] {

@@ -68,7 +68,8 @@ void InspectionPanel::set_ready(bool ready) {
 void InspectionPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     // Beside the other box, what is read off and the buttons.
-    const int most = std::max(80, width() / (operation_->isHidden() ? 3 : 4));
+    constexpr int roomy = 520;
+    const int most = std::max(80, width() / (operation_->isHidden() && width() > roomy ? 3 : 4));
     for (QComboBox* box : {chart_, operation_})
         box->setMaximumWidth(std::min(220, most));
 }

@@ -117,10 +117,11 @@ QString spoken_language() {
 
 std::string said_in_view(const std::string& english) {
     const QString whole = text(english), said = worded(whole);
-    if (said != whole || !whole.contains(QStringLiteral(", "))) return utf8(in_user_numbers(said));
-    QStringList words = whole.split(QStringLiteral(", ")); // "CM2, planned", "Lift, in"
-    for (QString& word : words)
-        word = worded(word);
+    if (!whole.contains(QStringLiteral(", "))) return utf8(in_user_numbers(said));
+    // "CM2, planned", "Lift, in"; of "Chosen: CM2, planned" a message takes the end as it is.
+    QStringList words = said.split(QStringLiteral(", "));
+    for (qsizetype i = said == whole ? 0 : 1; i < words.size(); ++i)
+        words[i] = worded(words[i]);
     return utf8(in_user_numbers(words.join(QStringLiteral(", "))));
 }
 

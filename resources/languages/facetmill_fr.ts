@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>; more points are put in where it turns more</source>
-        <translation>; des points s'ajoutent où elle tourne davantage</translation>
+        <translation> ; des points s'ajoutent où elle tourne davantage</translation>
     </message>
     <message>
         <source>A car body with four steep concave scoops, 12 × 6 in.</source>
@@ -11405,15 +11405,15 @@
     </message>
     <message>
         <source>; at most %1 stays above the allowance</source>
-        <translation>; au plus %1 reste au-dessus de la surépaisseur</translation>
+        <translation> ; au plus %1 reste au-dessus de la surépaisseur</translation>
     </message>
     <message>
         <source>; it does not fit in %1 places, which the log has. </source>
-        <translation>; elle ne convient pas à %1 endroits, que le journal indique. </translation>
+        <translation> ; elle ne convient pas à %1 endroits, que le journal indique. </translation>
     </message>
     <message>
         <source>; it does not fit in one place. </source>
-        <translation>; elle ne convient pas à un endroit. </translation>
+        <translation> ; elle ne convient pas à un endroit. </translation>
     </message>
     <message>
         <source>; lowest lift %1, highest %2</source>
@@ -11421,15 +11421,15 @@
     </message>
     <message>
         <source>; not carried:</source>
-        <translation>; non repris :</translation>
+        <translation> ; non repris :</translation>
     </message>
     <message>
         <source>; rework covers %1 of the surface</source>
-        <translation>; la reprise couvre %1 de la surface</translation>
+        <translation> ; la reprise couvre %1 de la surface</translation>
     </message>
     <message>
         <source>; the path is out of date: plan again</source>
-        <translation>; le parcours est périmé : planifier de nouveau</translation>
+        <translation> ; le parcours est périmé : planifier de nouveau</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt; holds %2 facets and does not say in which unit. How large is the part?</source>

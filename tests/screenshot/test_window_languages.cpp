@@ -173,6 +173,13 @@ private slots:
         QVERIFY2(!said.contains(QStringLiteral("linking")), qPrintable(said));
     }
 
+    void words_in_the_view_are_said() {
+        ui::speak(QStringLiteral("fr"));
+        QCOMPARE(ui::said_in_view("CM2, planned"), std::string("CM2, planifiée"));
+        QCOMPARE(ui::said_in_view("Chosen: CM2, planned"), std::string("Choisi\u00a0: CM2, planifiée"));
+        QCOMPARE(ui::said_in_view("Lift, in"), std::string("Levée, in"));
+        ui::speak(QStringLiteral("en"));
+    }
     void large_counts_in_messages_have_gaps() {
         const QString message =
             QStringLiteral("machine 'M12345' does not hold 779670 of 780152 motions as planned: "

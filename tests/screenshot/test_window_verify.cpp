@@ -2,6 +2,7 @@
 // while one watches.
 #include "tests/screenshot/window_support.h"
 #include "ui/camera_flight.h"
+#include "ui/first_steps.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
 #include "ui/operation_list.h"
@@ -209,6 +210,7 @@ private slots:
     /// A path that ends half-way leaves half of the part: failed with the reason, until the user allows it.
     void what_stays_uncut_fails_until_it_is_allowed() {
         QVERIFY(open_and_plan());
+        const auto* steps = w().findChild<ui::FirstSteps*>();
         auto& d = w().document();
         auto half = std::make_shared<OperationResult>(*d.result(0));
         auto& motions = half->program.motions.motions;
@@ -220,6 +222,7 @@ private slots:
         QVERIFY(take_half());
         const VerificationModel& model = controller().model();
         QCOMPARE(model.verdict(), ui::Verdict::failed);
+        QVERIFY(!steps->done(ui::FirstSteps::Step::judge)); // what was found is looked at first
         QVERIFY(!model.verification().gouged() && model.verification().uncut_share > 0.3);
         QVERIFY2(controller().panel()->verdict_line().contains(QStringLiteral("left uncut")),
                  qPrintable(controller().panel()->verdict_line()));
@@ -236,6 +239,7 @@ private slots:
         QCOMPARE(model.verdict(), ui::Verdict::stale);
         QVERIFY(verify());
         QCOMPARE(model.verdict(), ui::Verdict::verified);
+        QVERIFY(steps->done(ui::FirstSteps::Step::judge));
         d.undo_stack().undo();
         QCOMPARE(d.project().limits.uncut_limit, 0.02);
         QCOMPARE(model.verdict(), ui::Verdict::stale);
