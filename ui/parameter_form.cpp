@@ -17,6 +17,7 @@
 #include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QToolTip>
@@ -49,6 +50,9 @@ QString help_html(const ParameterInfo& info, LengthUnit unit, const QString& sco
     QString html = QStringLiteral("<b>%1</b><br>%2")
                        .arg(worded(info.label).toHtmlEscaped(),
                             with_shown_words(info, worded(info.help)).toHtmlEscaped());
+    // What is written in files stands between marks.
+    static const QRegularExpression code(QStringLiteral("`([^`]*)`"));
+    html.replace(code, QStringLiteral("<tt>\\1</tt>"));
     const QString range = worded(info.range_text(unit));
     QStringList facts;
     if (!range.isEmpty()) facts << ParameterForm::tr("Range: %1").arg(range.toHtmlEscaped());

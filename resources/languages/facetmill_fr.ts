@@ -10768,7 +10768,7 @@
     </message>
     <message>
         <source>%1   GOTO %2   CL %3, %4, %5 %6</source>
-        <translation>%1   GOTO %2   CL %3, %4, %5 %6</translation>
+        <translation>%1   GOTO %2   CL %3; %4; %5 %6</translation>
     </message>
     <message>
         <source>%1 % of the surface</source>
