@@ -34,6 +34,8 @@ constexpr ValueWord value_words[] = {
     {"contain", "tip", QT_TRANSLATE_NOOP("ValueWords", "the tip"), ""},
     {"contain", "tool", QT_TRANSLATE_NOOP("ValueWords", "all of the cutter"), ""},
     {"axis", "points", QT_TRANSLATE_NOOP("ValueWords", "through two points"), ""},
+    {"passes", "morph", QT_TRANSLATE_NOOP("ValueWords", "from edge to edge"),
+     QT_TRANSLATE_NOOP("ValueWords", "“from edge to edge”")},
     {"lift", "strip", QT_TRANSLATE_NOOP("ValueWords", "as the strip asks"), ""},
     {"lift", "z", QT_TRANSLATE_NOOP("ValueWords", "along Z"), ""},
     {"offset", "contact", QT_TRANSLATE_NOOP("ValueWords", "exact, at the contact"), ""},

@@ -147,10 +147,11 @@ void code_fields(Coder& coder, T& v) {
 template <class Coder, CodedAs<Finish5Settings> T>
 void code_fields(Coder& coder, T& v) {
     using Common = std::conditional_t<Coder::reads, OperationCommon, const OperationCommon>;
-    static_assert(sizeof(Finish5Settings) == sizeof(OperationCommon) + 232);
+    static_assert(sizeof(Finish5Settings) == sizeof(OperationCommon) + 240);
     coder(static_cast<Common&>(v), v.posture, v.grid_step, v.lead_limits, v.yaw_limits, v.stepover, v.pattern,
-          v.sides, v.reach_lead, v.chord_tolerance, v.normal_limit, v.turn_limit, v.holder_clearance,
-          v.accelerations, v.manual_postures, v.motion_share, v.room_chords, v.own_reach, v.strip_look_share);
+          v.sides, v.passes, v.reach_lead, v.chord_tolerance, v.normal_limit, v.turn_limit,
+          v.holder_clearance, v.accelerations, v.manual_postures, v.motion_share, v.room_chords, v.own_reach,
+          v.strip_look_share);
 }
 template <class Coder, CodedAs<ContactFrame> T>
 void code_fields(Coder& coder, T& v) {

@@ -6340,6 +6340,10 @@
         <translation>verlangt sind mehr als {1} Linien je Ebene</translation>
     </message>
     <message>
+        <source>morph</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
         <source>motion {1}: </source>
         <translation>Bewegung {1}: </translation>
     </message>
@@ -7026,6 +7030,10 @@
     <message>
         <source>parallel</source>
         <translation>parallel</translation>
+    </message>
+    <message>
+        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.</source>
+        <translation>parallel: in Führungsebenen entlang der Richtung. morph: jedes Stück der Oberfläche für sich, in Bahnen, die von seiner einen Kante entlang der Richtung in die andere übergehen, wie die Oberfläche verläuft: Schaufeln und Deckscheiben. Ein fester Bahnabstand wird eingehalten, wo diese am weitesten auseinander liegen.</translation>
     </message>
     <message>
         <source>part</source>
@@ -10498,6 +10506,10 @@
     <message>
         <source>{1} of {2} drive planes cross places where no step-over meets the tolerance</source>
         <translation>{1} von {2} Führungsebenen kreuzen Stellen, wo kein Bahnabstand die Toleranz einhält</translation>
+    </message>
+    <message>
+        <source>{1} of {2} passes cross places where no step-over meets the tolerance</source>
+        <translation>{1} von {2} Bahnen kreuzen Stellen, wo kein Bahnabstand die Toleranz einhält</translation>
     </message>
     <message>
         <source>{1} operations have too many orders</source>
@@ -16443,6 +16455,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>flach</translation>
     </message>
     <message>
+        <source>from edge to edge</source>
+        <translation>von Kante zu Kante</translation>
+    </message>
+    <message>
         <source>from the tolerance</source>
         <translation>aus der Toleranz</translation>
     </message>
@@ -17021,6 +17037,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>“by moved vertices”</source>
         <translation>„durch verschobene Eckpunkte“</translation>
+    </message>
+    <message>
+        <source>“from edge to edge”</source>
+        <translation>„von Kante zu Kante“</translation>
     </message>
     <message>
         <source>“from the tolerance”</source>

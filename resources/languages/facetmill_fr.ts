@@ -6340,6 +6340,10 @@
         <translation>plus de {1} lignes par niveau sont demandées</translation>
     </message>
     <message>
+        <source>morph</source>
+        <translation>transition</translation>
+    </message>
+    <message>
         <source>motion {1}: </source>
         <translation>mouvement {1} : </translation>
     </message>
@@ -7026,6 +7030,10 @@
     <message>
         <source>parallel</source>
         <translation>parallèle</translation>
+    </message>
+    <message>
+        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.</source>
+        <translation>parallel : dans des plans le long de la direction. morph : chaque morceau de la surface à part, en passes qui vont de l’un de ses bords le long de la direction à l’autre, comme la surface s’écoule : aubes et flasques. Un écart fixe est tenu là où elles sont le plus éloignées.</translation>
     </message>
     <message>
         <source>part</source>
@@ -10498,6 +10506,10 @@
     <message>
         <source>{1} of {2} drive planes cross places where no step-over meets the tolerance</source>
         <translation>{1} des {2} plans directeurs croisent des endroits où aucun pas latéral ne tient la tolérance</translation>
+    </message>
+    <message>
+        <source>{1} of {2} passes cross places where no step-over meets the tolerance</source>
+        <translation>{1} des {2} passes traversent des endroits où aucun écart ne respecte la tolérance</translation>
     </message>
     <message>
         <source>{1} operations have too many orders</source>
@@ -16441,6 +16453,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>plat</translation>
     </message>
     <message>
+        <source>from edge to edge</source>
+        <translation>d’un bord à l’autre</translation>
+    </message>
+    <message>
         <source>from the tolerance</source>
         <translation>d'après la tolérance</translation>
     </message>
@@ -17019,6 +17035,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>“by moved vertices”</source>
         <translation>« par sommets déplacés »</translation>
+    </message>
+    <message>
+        <source>“from edge to edge”</source>
+        <translation>« d’un bord à l’autre »</translation>
     </message>
     <message>
         <source>“from the tolerance”</source>

@@ -3,14 +3,11 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/base/turn.h"
-#include "core/link/link.h"
-#include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "core/strategy/five_axis/five_axis_study.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/five_axis/tilted_stepover.h"
-#include "core/verify/verify.h"
-#include "tests/property/shapes.h"
+#include "tests/property/five_axis_plan.h"
 #include "tests/support/brute_lift.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
@@ -50,44 +47,12 @@ Mesh sheet(const std::string& name) {
     return field([](double x, double y) { return 0.01 * (x * x - y * y); }, 16, 12);
 }
 
-Tool with_holder(Tool tool) {
-    tool.flute_length = 15;
-    tool.shank_length = 15;
-    tool.holder = {{20, 20}};
-    return tool;
-}
-
-Tool cutter(const std::string& name) {
-    if (name == "flat") return with_holder(flat_tool(6));
-    if (name == "bull") return with_holder(bull_tool(6, 1));
-    if (name == "ball") return with_holder(ball_tool(6));
-    Tool tapered = bull_tool(6, 1);
-    tapered.taper_angle = radians(10);
-    tapered = with_holder(tapered);
-    tapered.flute_length = 6;
-    tapered.shank_diameter = 6;
-    return tapered;
-}
-
-PlanContext five_axis_context(const Mesh& mesh, const Tool& tool) {
-    PlanContext c = context_of(mesh, tool);
-    c.machine = find_machine("tarus-tpi-2000");
-    c.stock_box.hi.z() += 2;
-    return c;
-}
-
 Finish5Settings settings(double tolerance, Choice choice = Choice::global) {
     Finish5Settings s;
     s.tolerance = tolerance;
     s.direction = {0, "x"};
     s.posture = choice;
     return s;
-}
-
-ToolMotions linked(const StrategyResult& path, const PlanContext& context, const Finish5& op) {
-    return link_five_axis(path, context,
-                          {op.common().allowance, op.holder_clearance(), op.holder_clearance()},
-                          default_link_options(path, context, op.common()), Progress());
 }
 
 /// Deepest that the cutter is in the part, along its axis, over every facet near it.
@@ -118,37 +83,6 @@ CutterLocation on_route(const CutterLocation& a, const CutterLocation& b, double
     const Vec3 across = a.axis.cross(b.axis);
     if (across.norm() > 1e-12) at.axis = Eigen::AngleAxisd(t * angle, across.normalized()) * a.axis;
     return at;
-}
-
-std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min,
-                            path.stepover_max,
-                            path.direction,
-                            path.cusp_max,
-                            path.as<LeadRange>()->lead_min,
-                            path.as<LeadRange>()->lead_max};
-    for (const Pass& p : path.passes) {
-        all.push_back(p.offset);
-        for (std::size_t i = 0; i < p.cl.size(); ++i)
-            for (const Vec3* v : {&p.cl[i].tip, &p.cl[i].axis, &p.cc[i].point, &p.cc[i].normal})
-                all.insert(all.end(), v->data(), v->data() + 3);
-    }
-    for (const CutterContact& c : path.cleanup)
-        all.insert(all.end(), c.point.data(), c.point.data() + 3);
-    return all;
-}
-
-Verification judged(const Mesh& part, const PlanContext& context, const ToolMotions& motions,
-                    double tolerance, double chord) {
-    VerifySettings s;
-    s.resolution = 0.6;
-    s.sample_spacing = 0.3;
-    s.tolerance = tolerance;
-    s.gouge_limit = chord;
-    StockSolid stock;
-    stock.box = context.stock_box;
-    const VerifyProgram program{"F", VerifyTool(context.tool), std::make_shared<ToolMotions>(motions), {}};
-    return verify(part, stock, {&program, 1}, s, Progress());
 }
 
 /// What passes travel that all go from end to end of the part, as far apart as the narrowest of their strips

@@ -77,7 +77,7 @@ void ContactWidths::find_block(std::span<EstimatedContact> block, double gap,
         find(c, gap, lead, hint);
         c.known = true;
         if (!c.usable) continue;
-        const double slope = std::abs(field_.across(c.place.frame.left));
+        const double slope = std::abs(field_.across(c.place));
         c.left = c.width_lo + c.width_hi < leave_ * slope;
     }
 }

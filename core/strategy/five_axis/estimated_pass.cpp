@@ -55,14 +55,8 @@ SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::arr
 } // namespace
 
 TravelBins::TravelBins(const FiveAxisField& field) {
-    lo_ = infinity;
-    double hi = -infinity;
-    for (const double x : {field.seen_box().lo.x(), field.seen_box().hi.x()})
-        for (const double y : {field.seen_box().lo.y(), field.seen_box().hi.y()}) {
-            const double u = field.drive().u(Vec3(x, y, 0));
-            lo_ = std::min(lo_, u);
-            hi = std::max(hi, u);
-        }
+    const auto [lo, hi] = field.travelled();
+    lo_ = lo;
     width_ = bin_share * field.radius();
     count_ = std::size_t((hi - lo_) / width_) + 1;
 }
@@ -75,7 +69,7 @@ PassEstimator::PassEstimator(const FiveAxisField& field, double leave)
     : field_(field), widths_(field, leave), bins_(field) {
     const double r = field.radius();
     const bool yawed = widths_.yawed();
-    smallest_ = 2 * min_width_share * r;
+    smallest_ = 2 * min_width_share * r * field.fineness();
     largest_ = 2 * StripWidth::max_width(field);
     behind_ = (yawed ? yawed_behind_share : behind_share) * r;
     ahead_ = (yawed ? yawed_ahead_share : ahead_share) * r;

@@ -2,7 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/strategy/five_axis/five_axis_parameters.h"
-#include "core/strategy/five_axis/part_sides.h"
+#include "core/strategy/five_axis/part_tops.h"
 #include "core/strategy/five_axis/partial_passes.h"
 #include "core/strategy/five_axis/pass_cutter.h"
 #include "core/strategy/five_axis/pass_placement.h"
@@ -45,9 +45,12 @@ struct Told {
 
 void warn(const Told& t, const UnfreePoints& unfree, const KeptPostures& kept, StrategyResult& result) {
     auto& told = result.warnings;
-    if (t.unsatisfied > 0)
+    if (t.unsatisfied > 0 && t.settings.passes == Finish5Settings::Passes::parallel)
         told.push_back(std::to_string(t.unsatisfied) + " of " + std::to_string(result.drive_planes)
                        + " drive planes cross places where no step-over meets the tolerance");
+    else if (t.unsatisfied > 0)
+        told.push_back(std::to_string(t.unsatisfied) + " of " + std::to_string(result.drive_planes)
+                       + " passes cross places where no step-over meets the tolerance");
     if (unfree.count() > 0)
         told.push_back(std::to_string(unfree.count()) + " of " + std::to_string(t.points)
                        + " contact points have no free posture and are left to clean-up; mostly "
@@ -176,6 +179,7 @@ private:
 
     void plan_constant(double step) {
         const auto& lines = field_.lines();
+        step *= field_.fineness(); // where passes come together they are closer than that
         const double planes =
             std::max(1.0, std::ceil((lines.hi() - lines.lo()) / step - tolerance::level_angle));
         if (planes > double(max_drive_planes))
@@ -190,7 +194,7 @@ private:
             std::fill(hi.begin(), hi.end(), pass.v + 0.5 * step);
             finish_pass(pass, lo, hi, here);
         }
-        result_.stepover_min = result_.stepover_max = planes > 1 ? step : 0;
+        result_.stepover_min = result_.stepover_max = planes > 1 ? settings_.stepover.number : 0;
     }
 
     [[noreturn]] void refuse_planes(const char* key, const std::string& what) const {
@@ -291,8 +295,8 @@ class SidePlanner {
 public:
     SidePlanner(const Finish5Settings& settings, const PlanContext& context, const PartSides& sides,
                 const Progress& progress)
-        : settings_(side_settings(settings)), text_{context.unit}, context_(context), sides_(sides),
-          progress_(progress) {}
+        : settings_(sides.top_only ? settings : side_settings(settings)), text_{context.unit},
+          context_(context), sides_(sides), progress_(progress) {}
 
     StrategyResult run() {
         double area = 0, done = 0;
@@ -433,6 +437,15 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
                               "twice as coarse; what no axis reaches is said. top: everything is cut as it "
                               "is seen from above.",
                       .words = {"auto", "top"}});
+        t.add_choice(
+            &Finish5Settings::passes,
+            {.key = "passes",
+             .label = "Passes",
+             .help =
+                 "parallel: in drive planes along the direction. morph: each piece of the surface by itself, "
+                 "in passes that go over from its one edge along the direction to the other, as the surface "
+                 "flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.",
+             .words = {"parallel", "morph"}});
         t.add(&Finish5Settings::reach_lead,
               {.key = "reach_lead",
                .label = "Lead to reach",
@@ -466,7 +479,12 @@ StrategyResult Finish5::plan(const PlanContext& context, const Progress& progres
         sides = find_sides(context, settings_, progress.part(0, 0.05, "Looking for sides"));
         if (!sides.top_only) return SidePlanner(settings_, context, sides, progress.part(0.05, 1)).run();
     }
-    StrategyResult result = Planner5(settings_, context, progress).run();
+    const bool follows = settings_.passes != Finish5Settings::Passes::parallel;
+    StrategyResult result =
+        follows ? SidePlanner(settings_, context, find_tops(context, settings_, progress.part(0.05, 0.1)),
+                              progress.part(0.1, 1))
+                      .run()
+                : Planner5(settings_, context, progress).run();
     if (sides.far_area > 0) {
         const PlanText text{context.unit};
         result.warnings.push_back(

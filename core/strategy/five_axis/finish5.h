@@ -25,6 +25,8 @@ struct Finish5Settings : OperationCommon {
     enum class PostureChoice { cm2, local, global };
     /// Whether the part is cut from above only, or side by side where it has other sides (part_sides.h).
     enum class Sides { automatic, top };
+    /// Passes in parallel planes, or from one edge of each piece of the surface to the other (flow_map.h).
+    enum class Passes { parallel, morph };
 
     Finish5Settings() {
         name = "Finish5";
@@ -37,6 +39,7 @@ struct Finish5Settings : OperationCommon {
     NumberOrWord stepover{0, "adaptive"}; ///< mm
     Pattern pattern = Pattern::zigzag;
     Sides sides = Sides::automatic;
+    Passes passes = Passes::parallel;
     /// The largest lead where a part is cut side by side and no lead within the limits reaches a place.
     double reach_lead = radians(85);
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget

@@ -2,11 +2,15 @@
 
 #include "core/base/tolerances.h"
 #include "core/cspace/cm2.h"
+#include "core/mesh/refine.h"
+#include "core/mesh/triangle_distance.h"
+#include "core/strategy/five_axis/flow_map.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/surface/travel_direction.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace facetmill {
 
@@ -25,6 +29,14 @@ constexpr double raised_piece_share = 1.0 / 8;
 /// Normals of neighbouring contact points differ by no more than this share of the turn limit, so that the
 /// axes have room to turn on their own.
 constexpr double turn_share = 0.75;
+
+/// Facets that a map is made on are no longer than this, in radii, or there are about so many of them.
+constexpr double map_facet_share = 0.5;
+constexpr double map_facets = 60'000;
+/// Between pieces of a map, in radii: no cutter reaches over it.
+constexpr double map_gap_share = 3;
+/// The least that v is taken to grow by across the travel, along planes and in a map.
+constexpr double min_slope = 0.1, min_map_slope = 0.02;
 
 /// The part and what is known of it, turned.
 PlanContext seen_through(const PlanContext& context, const Mat3& view, const Progress& progress) {
@@ -58,6 +70,9 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     seen_box_ = turned_ ? seen_.part_box : context_.part_box;
     drive_ =
         DriveFrame(travel_direction(settings_.direction, turned_ ? seen_ : context_, progress.part(0, 0.5)));
+    std::shared_ptr<const MeshGeometry> geometry = context_.geometry;
+    if (!geometry) geometry = compute_geometry(*context_.part, progress.part(0.5, 0.6));
+    context_.geometry = geometry;
     grid_ = PostureGrid::make(settings_.lead_limits[0], settings_.lead_limits[1], settings_.yaw_limits[0],
                               settings_.yaw_limits[1], settings_.grid_step);
     lift_.emplace(context_.contact, context_.tool, clearance());
@@ -69,16 +84,15 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     options.deviation = simplified_share * cusp_;
     options.longest = raised_piece_share * radius_;
     options.extension = extension_share * radius_;
-    std::shared_ptr<const MeshGeometry> geometry = context_.geometry;
-    if (!geometry) geometry = compute_geometry(*context_.part, progress.part(0.5, 0.7));
-    context_.geometry = geometry;
     curvatures_ = context_.curvatures;
     if (!curvatures_)
         curvatures_ = std::make_shared<std::vector<VertexCurvature>>(
             vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8)));
-    if (turned_)
-        lines_.emplace(*seen_.part, *seen_.geometry, drive_, lattice_share * radius_, options,
-                       progress.part(0.8, 1), view_.transpose());
+    if (settings_.passes != Finish5Settings::Passes::parallel) make_map(progress.part(0.8, 0.9));
+    if (map_) options.steepest_u = map_->steepest_u;
+    if (turned_ || map_)
+        lines_.emplace(*seen_.part, *seen_.geometry, drive_, fineness() * lattice_share * radius_, options,
+                       progress.part(0.9, 1), view_.transpose(), map_ ? &*map_ : nullptr);
     else
         lines_.emplace(*context_.part, *geometry, drive_, lattice_share * radius_, options,
                        progress.part(0.8, 1));
@@ -94,6 +108,61 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     // Lu's local choice goes through what is not free.
     input.low_tops = whole_spaces || settings_.posture == Finish5Settings::PostureChoice::local;
     builder_.emplace(input);
+}
+
+void FiveAxisField::make_map(const Progress& progress) {
+    const Mesh& part = turned_ ? *seen_.part : *context_.part;
+    const MeshGeometry& geometry = turned_ ? *seen_.geometry : *context_.geometry;
+    double area = 0;
+    for (std::size_t f = 0; f < part.facet_count(); ++f)
+        area += 0.5 * part.facet_cross(f).norm();
+    const double longest = std::max(map_facet_share * radius_, 2 * std::sqrt(area / map_facets));
+    DerivedMesh fine = refined(
+        part, [](const auto&) { return true; }, longest, std::numeric_limits<std::size_t>::max(),
+        progress.part(0, 0.2));
+    auto own = std::make_shared<MeshGeometry>();
+    own->vertex_normals = carried_normals(fine, geometry.vertex_normals);
+    for (std::size_t f = 0; f < fine.mesh.facet_count(); ++f)
+        own->facet_normals.push_back(geometry.facet_normals[fine.facet_of[f]]);
+    facet_of_ = std::move(fine.facet_of);
+    seen_.geometry = std::move(own);
+    seen_.part = std::make_shared<const Mesh>(std::move(fine.mesh));
+    map_ = flow_map(*seen_.part, drive_, map_gap_share * radius_, progress.part(0.2, 1));
+}
+
+double FiveAxisField::v_of(const Vec3& p) const {
+    const Vec3 seen = turned_ ? Vec3(view_ * p) : p;
+    if (!map_) return drive_.v(seen);
+    const Mesh& mesh = *seen_.part;
+    double least = infinity, v = 0;
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        const Vec3 nearest =
+            nearest_in_triangle(seen, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
+        const double away = (nearest - seen).squaredNorm();
+        if (!(away < least)) continue;
+        least = away;
+        v = map_->v[mesh.facets[f][0]] + map_->gradients[f].dot(nearest - mesh.corner(f, 0));
+    }
+    return v;
+}
+
+std::array<double, 2> FiveAxisField::travelled() const {
+    if (map_) return {0, map_->u_hi};
+    std::array<double, 2> u{infinity, -infinity};
+    for (const double x : {seen_box_.lo.x(), seen_box_.hi.x()})
+        for (const double y : {seen_box_.lo.y(), seen_box_.hi.y()}) {
+            const double at = drive_.u(Vec3(x, y, 0));
+            u[0] = std::min(u[0], at);
+            u[1] = std::max(u[1], at);
+        }
+    return u;
+}
+
+double FiveAxisField::reaches_beyond(const SurfaceLine& line, const SurfaceSlice::End& other) const {
+    const SlicePoint& end = other.first ? line.points.front() : line.points.back();
+    if (!map_) return other.first ? end.u - other.u : other.u - end.u;
+    const double along = (other.point - end.point).dot(line.direction(other.first ? 0 : line.length()));
+    return other.first ? -along : along;
 }
 
 ToolClearance FiveAxisField::clearance() const {
@@ -115,7 +184,7 @@ ContactPlace FiveAxisField::place(const SurfaceLine& line, double s, double v, i
 bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCurve& curve,
                                 double along) const {
     const double raise = allowance_ + cusp_ - chord_;
-    const auto slope = [&] { return std::max(std::abs(across(place.frame.left)), 0.1); };
+    const auto slope = [&] { return std::max(std::abs(across(place)), map_ ? min_map_slope : min_slope); };
     const auto at = [&](long k) {
         // Steep across the travel the line beside is farther away than its plane.
         const double aside = std::abs(lines_->v(k) - place.v);
@@ -126,7 +195,7 @@ bool FiveAxisField::raised_line(const ContactPlace& place, long plane, RaisedCur
     // The surface ends somewhere between this plane and the one before it: that one's line, moved here.
     const double away = lines_->v(plane) - place.v;
     if (std::abs(away) <= lines_->spacing() || !at(plane + (away > 0 ? -1 : 1))) return false;
-    const double towards = (away > 0) == (across(place.frame.left) > 0) ? 1 : -1;
+    const double towards = (away > 0) == (across(place) > 0) ? 1 : -1;
     for (Vec3& p : curve)
         p += towards * lines_->spacing() / slope() * place.frame.left;
     return true;
@@ -168,9 +237,10 @@ std::vector<RaisedCurve> FiveAxisField::strip_curves(const ContactPlace& place) 
 double FiveAxisField::hollowness(const ContactPlace& place, const Vec3& direction) const {
     double hollow = 0;
     if (place.facet != no_index) {
-        hollow = facetmill::hollowness(*context_.part, *curvatures_, place.facet, place.surface, direction);
+        const Index facet = facet_of_.empty() ? place.facet : facet_of_[place.facet];
+        hollow = facetmill::hollowness(*context_.part, *curvatures_, facet, place.surface, direction);
         // Curvatures are signed by the winding, which need not face the tool.
-        if (context_.part->facet_normal(place.facet).dot(place.frame.normal) < 0) hollow = -hollow;
+        if (context_.part->facet_normal(facet).dot(place.frame.normal) < 0) hollow = -hollow;
     }
     return hollow;
 }

@@ -7,6 +7,7 @@
 #include "core/mesh/geometry.h"
 #include "core/setup/kinematics.h"
 #include "core/strategy/five_axis/finish5.h"
+#include "core/strategy/surface/pass_map.h"
 #include "core/strategy/surface/surface_lines.h"
 
 #include <array>
@@ -14,11 +15,11 @@
 
 namespace facetmill {
 
-/// A contact point in a drive plane.
+/// A contact point in a drive plane, or on a line of a map.
 struct ContactPlace {
     ContactFrame frame;          ///< x along the travel; its point keeps the allowance from the part
     Vec3 surface = Vec3::Zero(); ///< on the part
-    Index facet = no_index;
+    Index facet = no_index;      ///< of what the field's lines are cut from
     double u = 0, v = 0;
     double s = 0;                              ///< along the surface's line
     double v_lo = 0, v_hi = 0;                 ///< the strip that the pass has to clear here
@@ -30,7 +31,8 @@ public:
     /// `whole_spaces`: configuration spaces have their bottom everywhere, for showing; planning needs it only
     /// where the top is not below 0. Throws Error(out_of_range) whose place is the key.
     /// `view`: a rotation after which the side of the part that is cut faces up; drive planes are upright
-    /// then. Everything else stays in part coordinates.
+    /// then. Everything else stays in part coordinates. Where the settings ask for passes that follow the
+    /// part, the lines of a map stand for planes, all the rest stays as it is.
     FiveAxisField(const PlanContext& context, const Finish5Settings& settings, const Progress& progress,
                   bool whole_spaces = false, const Mat3& view = Mat3::Identity());
     FiveAxisField(const FiveAxisField&) = delete;
@@ -64,8 +66,21 @@ public:
     const Finish5Settings& settings() const { return settings_; }
     const DriveFrame& drive() const { return drive_; }
     const Mat3& view() const { return view_; }
-    /// The v of a place, or what a direction has of the step-over direction.
-    double across(const Vec3& p) const { return turned_ ? drive_.v(view_ * p) : drive_.v(p); }
+    /// The v of a point of the surface.
+    double v_of(const Vec3& p) const;
+    /// What v grows by to the left of a place, mm per mm.
+    double across(const ContactPlace& place) const {
+        const Vec3& left = place.frame.left;
+        const Vec3 seen = turned_ ? Vec3(view_ * left) : left;
+        return map_ ? map_->gradients[place.facet].dot(seen) : drive_.v(seen);
+    }
+    /// The range of u.
+    std::array<double, 2> travelled() const;
+    /// How much finer than the cutter asks for lines have to lie, since v grows so slowly along some of the
+    /// surface; at most 1.
+    double fineness() const { return map_ ? map_->flattest_v : 1; }
+    /// How much farther than the end of a line the end of another one beside it reaches, mm.
+    double reaches_beyond(const SurfaceLine& line, const SurfaceSlice::End& other) const;
     /// The part as the drive planes see it.
     const Box3& seen_box() const { return seen_box_; }
     const SurfaceLines& lines() const { return *lines_; }
@@ -82,13 +97,17 @@ public:
     ToolClearance clearance() const;
 
 private:
+    void make_map(const Progress& progress);
+
     static constexpr double whole_reach = 1.25; ///< what a cutter can hold of a line, and a little more
     PlanContext context_;
     Finish5Settings settings_;
     double cusp_, chord_, allowance_, radius_ = 0;
     Mat3 view_;
     bool turned_;
-    PlanContext seen_; ///< part and geometry, turned by the view
+    PlanContext seen_; ///< part and geometry, turned by the view, and divided finely for a map
+    std::optional<PassMap> map_;
+    std::vector<Index> facet_of_; ///< of the part, for each facet of that; empty: they are the same
     Box3 seen_box_;
     DriveFrame drive_;
     PostureGrid grid_;

@@ -38,13 +38,16 @@ Vec3 point_of(const ManualPosture& posture) {
 
 KeptPostures::KeptPostures(const FiveAxisField& field)
     : field_(&field), postures_(field.settings().manual_postures), unit_(field.context().unit),
-      met_(postures_.size(), false) {}
+      met_(postures_.size(), false) {
+    for (const ManualPosture& kept : postures_)
+        v_.push_back(field.v_of(point_of(kept)));
+}
 
 void KeptPostures::hand_over(std::vector<PlacedLine>& pass) {
     for (std::size_t k = 0; k < met_.size(); ++k) {
         const ManualPosture& kept = postures_[k];
         const Vec3 point = point_of(kept);
-        const double v = field_->across(point);
+        const double v = v_[k];
         if (met_[k]) continue;
         ContactPlace* nearest = nullptr;
         double least = field_->radius(); // what is farther away is another place

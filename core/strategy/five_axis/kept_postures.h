@@ -30,6 +30,7 @@ private:
     const FiveAxisField* field_; ///< not asked for `warnings`
     std::vector<ManualPosture> postures_;
     LengthUnit unit_;
+    std::vector<double> v_; ///< per posture
     std::vector<bool> met_; ///< per posture: it belongs to a contact point
     std::vector<std::string> warnings_;
 };

@@ -5,6 +5,7 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/refine.h"
+#include "core/strategy/five_axis/part_tops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +42,6 @@ constexpr double longest_edge = 4;
 constexpr std::size_t max_facets = 4'000'000, facets_per_block = 64;
 /// By how much normals at contact points may differ from those of the facets of a piece.
 const double normals_differ = radians(5);
-/// Vertex normals are those of the whole part where all facets of a piece lie this near to them: elsewhere
-/// the part has an edge, and the piece ends at it.
-const double smooth_cos = std::cos(radians(25));
-
 /// Across an edge that is sharper than this no piece goes on.
 const double sharp_cos = std::cos(radians(50));
 
@@ -407,21 +404,8 @@ private:
     }
 
     void add_piece(const std::vector<Index>& facets, Index view, double area) {
-        PartOfMesh part = part_of(mesh_, facets);
-        auto geometry = std::make_shared<MeshGeometry>(*compute_geometry(part.mesh, progress_.part(1, 1)));
-        auto curvatures = std::make_shared<std::vector<VertexCurvature>>();
-        std::vector<double> nearest(part.vertex_of.size(), 1);
-        for (std::size_t f = 0; f < part.mesh.facet_count(); ++f)
-            for (const Index v : part.mesh.facets[f])
-                nearest[v] =
-                    std::min(nearest[v], geometry->facet_normals[f].dot(normals_[part.vertex_of[v]]));
-        for (std::size_t v = 0; v < nearest.size(); ++v) {
-            if (nearest[v] >= smooth_cos) geometry->vertex_normals[v] = normals_[part.vertex_of[v]];
-            curvatures->push_back(curvatures_[part.vertex_of[v]]);
-        }
         SidePiece made;
-        made.piece = {std::make_shared<Mesh>(std::move(part.mesh)), std::move(geometry),
-                      std::move(curvatures)};
+        made.piece = side_piece(mesh_, facets, normals_, curvatures_, progress_.part(1, 1));
         made.view = view_turn(views_[view]);
         made.area = area;
         made.lead_limits = lead_limits_of(facets);

@@ -82,11 +82,11 @@ private:
         const SlicePoint& end = first ? line.points.front() : line.points.back();
         const double r = field_.radius();
         double farther = 0;
-        const long step = std::max(1L, std::lround(r / 16 / lines.spacing()));
+        const long step = std::max(1L, std::lround(field_.fineness() * r / 16 / lines.spacing()));
         for (long k = lines.beyond(v_lo, v_hi) / step * step; lines.v(k) <= v_hi; k += step)
             for (const SurfaceSlice::End& other : lines.slice(k)->ends())
                 if (other.first == first && (other.point - end.point).norm() <= 2 * r)
-                    farther = std::max(farther, first ? end.u - other.u : other.u - end.u);
+                    farther = std::max(farther, field_.reaches_beyond(line, other));
         const bool begins = first == (pass_.travel > 0);
         const double aside = begins ? 0 : std::min(std::max(pass_.v - v_lo, v_hi - pass_.v), r);
         const double lag = r - std::sqrt(r * r - aside * aside);

@@ -25,7 +25,7 @@ std::optional<ContactPlace> run_out(const FiveAxisField& field, const SurfaceLin
     const Vec3 onward = last ? end.frame.feed : Vec3(-end.frame.feed);
     const ToolPose pose = posture_pose(field.cutter(), end.frame, posture);
     const double raised = field.allowance() + field.cusp() - 0.5 * field.chord();
-    const long apart = std::max(1L, std::lround(line_share * r / lines.spacing()));
+    const long apart = std::max(1L, std::lround(field.fineness() * line_share * r / lines.spacing()));
     const int back = int(run_back_share / run_step_share), ahead = int(run_ahead_share / run_step_share);
 
     int need = 0;

@@ -20,8 +20,8 @@ double StripWidth::max_width(const FiveAxisField& field) {
 }
 
 long StripWidth::planes_apart(const FiveAxisField& field) {
-    return std::max(
-        1L, std::lround(field.settings().strip_look_share * field.radius() / field.lines().spacing()));
+    return std::max(1L, std::lround(field.fineness() * field.settings().strip_look_share * field.radius()
+                                    / field.lines().spacing()));
 }
 
 StripWidth::Look& StripWidth::look(int side, std::size_t number) {

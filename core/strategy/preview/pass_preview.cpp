@@ -9,6 +9,7 @@
 #include "core/strategy/lathe/lathe_rough.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/preview/preview_curves.h"
+#include "core/strategy/preview/preview_flow.h"
 #include "core/strategy/preview/preview_levels.h"
 #include "core/strategy/preview/preview_scallop.h"
 #include "core/strategy/preview/preview_turning.h"
@@ -206,8 +207,11 @@ private:
         preview_.step = step;
         // A tool that leans with the surface leaves strips as wide on any slope.
         const PreviewStep strips{cusp, step, step, fixed};
-        lay_lines(parallel_lines(field, request_.travel, strips, progress), laying(field), preview_,
-                  progress.part(0.5, 1));
+        const bool flows = s.passes == Finish5Settings::Passes::morph;
+        const std::vector<PlanLine> lines = flows
+                                                ? flow_lines(field, request_, strips, progress.part(0.4, 0.5))
+                                                : parallel_lines(field, request_.travel, strips, progress);
+        lay_lines(lines, laying(field), preview_, progress.part(0.5, 1));
         preview_.without.emplace_back(as<GlobalLocal>() ? "regions of rework" : "postures");
     }
     /// How much most of the surface bends away from a plane across the travel, 1/mm: all but a quarter.

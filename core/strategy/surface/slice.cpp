@@ -32,24 +32,20 @@ std::uint64_t edge_key(Index a, Index b) {
     return a < b ? (std::uint64_t(a) << 32 | b) : (std::uint64_t(b) << 32 | a);
 }
 
-std::pair<double, double> facet_interval(const Mesh& mesh, const DriveFrame& frame, std::size_t f) {
-    const double a = frame.v(mesh.corner(f, 0)), b = frame.v(mesh.corner(f, 1)),
-                 c = frame.v(mesh.corner(f, 2));
-    return {std::min({a, b, c}), std::max({a, b, c})};
-}
-
-Crossing point_on_edge(const Mesh& mesh, const DriveFrame& frame, Index a, Index b, double offset) {
+/// Where an edge is cut, `da` and `db` being how far its ends are above the plane.
+Crossing point_on_edge(const Mesh& mesh, Index a, double da, Index b, double db) {
     // From the lower index to the higher, whichever facet asks: the same bits for both.
-    if (b < a) std::swap(a, b);
+    if (b < a) {
+        std::swap(a, b);
+        std::swap(da, db);
+    }
     const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b];
-    const double da = frame.v(p) - offset, db = frame.v(q) - offset;
     const double t = std::clamp(da / (da - db), 0.0, 1.0);
     Crossing c;
     c.from = a;
     c.to = b;
     c.share = t;
     c.at.point = t <= 0.5 ? Vec3(p + t * (q - p)) : Vec3(q + (1 - t) * (p - q));
-    c.at.u = frame.u(c.at.point);
     return c;
 }
 
@@ -68,10 +64,16 @@ Vec3 normal_on_edge(const MeshGeometry& geometry, const Crossing& c, std::size_t
 } // namespace
 
 MeshSlicer::MeshSlicer(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
-                       const Progress& progress)
-    : mesh_(mesh), geometry_(geometry), frame_(frame),
+                       const Progress& progress, const PassMap* map)
+    : mesh_(mesh), geometry_(geometry), frame_(frame), map_(map),
       index_(
-          mesh.facet_count(), [&](std::size_t f) { return facet_interval(mesh, frame, f); }, progress) {}
+          mesh.facet_count(), [this](std::size_t f) { return range_of(f); }, progress) {}
+
+std::pair<double, double> MeshSlicer::range_of(std::size_t facet) const {
+    const Facet& corners = mesh_.facets[facet];
+    const double a = v(corners[0]), b = v(corners[1]), c = v(corners[2]);
+    return {std::min({a, b, c}), std::max({a, b, c})};
+}
 
 std::vector<SliceChain> MeshSlicer::slice(double offset) const {
     std::vector<Crossing> crossings;
@@ -84,7 +86,7 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
         const Facet& corners = mesh_.facets[f];
         bool above[3];
         for (int k = 0; k < 3; ++k)
-            above[k] = frame_.v(mesh_.vertices[corners[k]]) >= offset;
+            above[k] = v(corners[k]) >= offset;
         if (above[0] == above[1] && above[1] == above[2]) continue;
         Segment s;
         int ends = 0;
@@ -94,8 +96,11 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
             const Index a = corners[k], b = corners[next];
             const auto [it, fresh] = crossing_of.try_emplace(edge_key(a, b), std::uint32_t(crossings.size()));
             if (fresh) {
-                crossings.push_back(point_on_edge(mesh_, frame_, a, b, offset));
-                crossings.back().at.facet = Index(f);
+                crossings.push_back(point_on_edge(mesh_, a, v(a) - offset, b, v(b) - offset));
+                Crossing& c = crossings.back();
+                c.at.facet = Index(f);
+                c.at.u = map_ ? map_->u[c.from] + c.share * (map_->u[c.to] - map_->u[c.from])
+                              : frame_.u(c.at.point);
             }
             crossings[it->second].normals += geometry_.facet_normals[f];
             crossings[it->second].segments.push_back(std::uint32_t(segments.size()));

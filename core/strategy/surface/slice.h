@@ -10,7 +10,9 @@
 #include "core/mesh/geometry.h"
 #include "core/strategy/surface/drive_frame.h"
 #include "core/strategy/surface/interval_index.h"
+#include "core/strategy/surface/pass_map.h"
 
+#include <utility>
 #include <vector>
 
 namespace facetmill {
@@ -29,9 +31,10 @@ struct SliceChain {
 /// Slices one mesh by many parallel planes. Safe from many threads at once.
 class MeshSlicer {
 public:
-    /// `mesh` and `geometry` must outlive the slicer.
+    /// `mesh` and `geometry` must outlive the slicer; `map` too, which stands for u and v of the frame where
+    /// there is one.
     MeshSlicer(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
-               const Progress& progress);
+               const Progress& progress, const PassMap* map = nullptr);
 
     /// Chains of the plane v = offset. Open chains run in the direction of growing u between their ends,
     /// closed ones start at their smallest u. Chains come in the order of their smallest u. At a non-manifold
@@ -43,9 +46,13 @@ public:
     double hi() const { return index_.hi(); }
 
 private:
+    double v(Index vertex) const { return map_ ? map_->v[vertex] : frame_.v(mesh_.vertices[vertex]); }
+    std::pair<double, double> range_of(std::size_t facet) const;
+
     const Mesh& mesh_;
     const MeshGeometry& geometry_;
     DriveFrame frame_;
+    const PassMap* map_;
     IntervalIndex index_;
 };
 

@@ -92,7 +92,8 @@ Vec3 SurfaceLine::direction(double s) const {
     return (points[i].point - points[i - 1].point).normalized();
 }
 
-SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options) {
+SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options)
+    : steepest_u_(options.steepest_u) {
     for (SurfaceLine& line : lines) {
         Chain chain;
         ends_.push_back({line.points.front().point, line.points.front().u, true});
@@ -154,7 +155,7 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
     double least = farthest, beside = reach;
     const Reference* nearest = nullptr;
     // What is farther along the line than the nearest so far is farther; of two as near the first counts.
-    const auto is_beside = [&](const Reference& r) { return std::abs(r.u - u) <= beside; };
+    const auto is_beside = [&](const Reference& r) { return std::abs(r.u - u) <= steepest_u_ * beside; };
     const auto look_at = [&](const Reference& r) {
         const SlicePoint& place = chains_[r.chain][r.place];
         // The other side of a thin wall is not the surface that goes on here.
@@ -173,7 +174,8 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
     if (!nearest) return false;
     const Chain& places = chains_[nearest->chain];
     const auto within = [&](std::size_t i) {
-        return std::abs(places[i].u - u) <= reach && (places[i].point - p).squaredNorm() <= 4 * reach * reach;
+        return std::abs(places[i].u - u) <= steepest_u_ * reach
+               && (places[i].point - p).squaredNorm() <= 4 * reach * reach;
     };
     // One place beyond the reach on either side, so that the line is not cut short.
     std::size_t begin = nearest->place, end = nearest->place;
@@ -189,9 +191,9 @@ bool SurfaceSlice::near(const Vec3& p, const Vec3& normal, double u, double reac
 
 SurfaceLines::SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame,
                            double spacing, const SurfaceSlice::Options& options, const Progress& progress,
-                           const Mat3& back)
-    : slicer_(mesh, geometry, frame, progress), spacing_(spacing), options_(options), up_(mesh, progress),
-      back_(back), turned_(back != Mat3::Identity()) {}
+                           const Mat3& back, const PassMap* map)
+    : slicer_(mesh, geometry, frame, progress, map), spacing_(spacing), options_(options),
+      up_(mesh, progress), back_(back), turned_(back != Mat3::Identity()) {}
 
 long SurfaceLines::beyond(double v, double from) const {
     const double at = (v - lo()) / spacing_;

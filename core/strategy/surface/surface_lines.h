@@ -40,6 +40,7 @@ public:
         double deviation = 0.001; ///< points may be left out as long as the line stays this near, mm
         double longest = 1;       ///< pieces are no longer than this, mm
         double extension = 0;     ///< open ends are continued straight by this, mm
+        double steepest_u = 1;    ///< the most that u changes by along any way, mm per mm
     };
 
     SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options);
@@ -66,6 +67,7 @@ private:
         double u;
         std::uint32_t chain, place;
     };
+    double steepest_u_;
     std::vector<Chain> chains_;
     std::vector<Reference> by_u_;
     std::vector<End> ends_;
@@ -76,10 +78,11 @@ private:
 class SurfaceLines {
 public:
     /// `mesh` and `geometry` must outlive this. `back`, a rotation, is applied to points and normals of all
-    /// lines: for a mesh that was turned so that one of its sides faces up.
+    /// lines: for a mesh that was turned so that one of its sides faces up. `map`, which must outlive this,
+    /// stands for the planes where there is one; what is said of these holds for its lines of equal v.
     SurfaceLines(const Mesh& mesh, const MeshGeometry& geometry, const DriveFrame& frame, double spacing,
                  const SurfaceSlice::Options& options, const Progress& progress,
-                 const Mat3& back = Mat3::Identity());
+                 const Mat3& back = Mat3::Identity(), const PassMap* map = nullptr);
 
     double lo() const { return slicer_.lo(); }
     double hi() const { return slicer_.hi(); }

@@ -196,6 +196,29 @@ private slots:
                      qPrintable(said));
     }
 
+    /// Over a piece of a ring passes from edge to edge go round its middle.
+    void passes_from_edge_to_edge_follow_the_ground() {
+        const Mesh mesh =
+            only(height_field([](double, double) { return 0.0; }, Vec2(-30, 3), Vec2(30, 31), 120, 56),
+                 [](const Vec3& p) {
+                     const double radius = std::hypot(p.x(), p.y());
+                     return radius > 14 && radius < 30 && std::abs(p.x()) < p.y();
+                 });
+        const auto op = operation_of("finish5");
+        op->set("passes", std::string("morph"));
+        op->set("direction", std::string("x"));
+        const PassPreview preview = preview_passes(*op, request_for(mesh, *op, flat_tool(4)), Progress());
+        QVERIFY(preview.passes > 3);
+        for (const auto& line : preview.lines) {
+            double least = infinity, most = 0;
+            for (const Vec3& p : line) {
+                least = std::min(least, std::hypot(p.x(), p.y()));
+                most = std::max(most, std::hypot(p.x(), p.y()));
+            }
+            QVERIFY2(most - least < 2, qPrintable(QString("%1 to %2").arg(least).arg(most)));
+        }
+    }
+
     void any_number_of_threads_makes_the_same_lines_data() { add_kinds(true); }
     void any_number_of_threads_makes_the_same_lines() {
         QFETCH(QString, kind);
