@@ -107,7 +107,7 @@ FineStock::Points& FineStock::points(std::size_t cell) {
     const auto& cuts = near_[tile_of(middle)];
     if (result.cuts == cuts.size()) return result;
     for (; result.cuts < cuts.size(); ++result.cuts)
-        cut_from(result, middle, cuts_[cuts[result.cuts]]);
+        cut_from(result, middle, cuts[result.cuts]);
     result.highest = *std::max_element(result.heights.begin(), result.heights.end());
     return result;
 }
@@ -129,14 +129,18 @@ void over_motion(const Vec3& a, const Vec3& b, const Vec2& p, Lower&& lower) {
 
 } // namespace
 
-void FineStock::cut_from(Points& points, const Vec2& center, const Cut& cut) const {
+void FineStock::cut_from(Points& points, const Vec2& center, std::uint32_t number) const {
+    const Cut& cut = cuts_[number];
     const StockCutter& cutter = cutters_[cut.cutter];
     const double low = std::min(cut.a.z(), cut.b.z());
-    if (low >= double(points.highest)) return;
+    if (low >= double(points.top)) return;
     double away = infinity;
     over_motion(cut.a, cut.b, center, [&](double, double d) { away = std::min(away, d); });
     if (away > cutter.radius() + half_diagonal_) return;
-    if (low + cutter.below(std::max(0.0, away - half_diagonal_)) >= double(points.highest)) return;
+    const double lowest = low + cutter.below(std::max(0.0, away - half_diagonal_));
+    if (lowest >= double(points.top)) return;
+    points.near.push_back(number);
+    if (lowest >= double(points.highest)) return;
     for (std::size_t k = 0; k < points.heights.size(); ++k)
         if (double(points.heights[k]) > low)
             points.heights[k] = lowered(points.heights[k], center + spread_[k], cut);
@@ -160,7 +164,7 @@ double FineStock::over(std::size_t cell, const Vec2& p, double radius, double ba
         if (double(height) - base <= over) continue;
         const Vec2 at = middle + spread_[k];
         if ((at - p).squaredNorm() >= radius * radius) continue;
-        if (is_part(at, height))
+        if (double(height) <= part_top(at))
             height = -std::numeric_limits<float>::infinity(); // and only gets lower
         else
             over = double(height) - base;
@@ -182,34 +186,54 @@ double FineStock::over_rim(Points& points, std::size_t cell, const Vec2& p, doub
     for (double k = std::ceil((middle_angle - half) / step); k <= last; ++k) {
         const Vec2 at = p + rim * Vec2(std::cos(k * step), std::sin(k * step));
         if ((at - middle).cwiseAbs().maxCoeff() > 0.5 * field_.cell()) continue;
-        const float height = standing(points, cell, at, base + over);
-        if (double(height) > base + over && !is_part(at, height)) over = double(height) - base;
+        const float height = standing(points, at, base + over);
+        if (double(height) > base + over) over = double(height) - base;
     }
     return over;
 }
 
-/// How high it stands at a place of a cell, or any height not above `enough`.
-float FineStock::standing(Points& points, std::size_t cell, const Vec2& p, double enough) const {
+/// How high it stands at a place of a cell; or nothing where that is not above `enough`, or the part as high.
+float FineStock::standing(Points& points, const Vec2& p, double enough) {
+    constexpr float nothing = -std::numeric_limits<float>::infinity();
     const Vec2 hi = field_.box().hi.head<2>();
-    if (p.x() > hi.x() || p.y() > hi.y()) return -std::numeric_limits<float>::infinity();
-    const auto& cuts = near_[tile_of(center(cell))];
-    // Mostly what cut one place cut its neighbour, too, and late ones cut most beside walls.
-    if (points.cleared_by < cuts.size())
-        if (const float left = lowered(points.top, p, cuts_[cuts[points.cleared_by]]); double(left) <= enough)
-            return left;
-    for (std::size_t i = cuts.size(); i-- > 0;)
-        if (const float left = lowered(points.top, p, cuts_[cuts[i]]); double(left) <= enough) {
-            points.cleared_by = i;
-            return left;
-        }
-    float height = points.top;
-    for (std::size_t i = 0; i < cuts.size() && double(height) > enough; ++i)
-        height = lowered(height, p, cuts_[cuts[i]]);
-    return height;
+    if (p.x() > hi.x() || p.y() > hi.y()) return nothing;
+    // Mostly what cut one place cut its neighbour, too. Less than all that cut leaves no less.
+    const auto left = [&] {
+        float height = points.top;
+        for (const std::uint32_t number : points.chain)
+            height = lowered(height, p, cuts_[number]);
+        return height;
+    };
+    float height = left();
+    if (double(height) <= enough) return nothing;
+    // Beside a wall it is mostly the part that stands.
+    enough = std::max(enough, part_top(p));
+    if (double(height) <= enough) return nothing;
+    scan(points, p);
+    height = left();
+    return double(height) > enough ? height : nothing;
 }
 
-bool FineStock::is_part(const Vec2& p, float height) const {
-    return double(height) <= part_.tip_z(p.x(), p.y()) + skin_;
+/// Finds the chain of a place: the cuts without which all that cut there would leave more. Flutes that are
+/// shorter than a wall is high take several.
+void FineStock::scan(Points& points, const Vec2& p) {
+    lowerings_.clear();
+    float height = points.top;
+    for (const std::uint32_t number : points.near)
+        if (const float left = lowered(height, p, cuts_[number]); left < height)
+            lowerings_.push_back({number, height = left});
+    points.chain.clear();
+    for (std::size_t last = lowerings_.size(); last > 0;) {
+        const Lowering& lowering = lowerings_[last - 1];
+        points.chain.push_back(lowering.cut);
+        // The first height from which this one alone leaves as little.
+        std::size_t first = 0;
+        const auto before = [&] { return first == 0 ? points.top : lowerings_[first - 1].left; };
+        while (first + 1 < last && lowered(before(), p, cuts_[lowering.cut]) > lowering.left)
+            ++first;
+        last = first;
+    }
+    std::reverse(points.chain.begin(), points.chain.end());
 }
 
 } // namespace facetmill

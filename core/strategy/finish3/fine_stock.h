@@ -38,22 +38,28 @@ private:
     };
     /// The points over a cell.
     struct Points {
-        std::size_t cuts = 0;       ///< of its tile, that were asked
-        std::size_t cleared_by = 0; ///< of its tile: what cut the point on a rim asked last
-        float top;                  ///< before any of them
-        float highest;              ///< no point is higher
+        std::size_t cuts = 0;             ///< of its tile, that were asked
+        std::vector<std::uint32_t> near;  ///< of these, what comes near the cell
+        std::vector<std::uint32_t> chain; ///< of these, what lowered a point on a rim, one after the other
+        float top;                        ///< before any of them
+        float highest;                    ///< no point is higher
         std::vector<float> heights;
+    };
+    struct Lowering {
+        std::uint32_t cut;
+        float left;
     };
 
     void add_cut(const Cut& cut);
     std::size_t tile_of(const Vec2& p) const;
     Vec2 center(std::size_t cell) const;
     Points& points(std::size_t cell);
-    void cut_from(Points& points, const Vec2& center, const Cut& cut) const;
+    void cut_from(Points& points, const Vec2& center, std::uint32_t number) const;
     float lowered(float height, const Vec2& p, const Cut& cut) const;
     double over_rim(Points& points, std::size_t cell, const Vec2& p, double radius, double base);
-    float standing(Points& points, std::size_t cell, const Vec2& p, double enough) const;
-    bool is_part(const Vec2& p, float height) const;
+    float standing(Points& points, const Vec2& p, double enough);
+    void scan(Points& points, const Vec2& p);
+    double part_top(const Vec2& p) const { return part_.tip_z(p.x(), p.y()) + skin_; }
 
     const StockField& field_;
     std::vector<StockCutter> cutters_; ///< the operation's own is the last
@@ -65,6 +71,7 @@ private:
     std::vector<std::vector<std::uint32_t>> near_; ///< what may cut from the cells of a tile, in its order
     std::vector<std::int32_t> index_;              ///< of points_, by cells; below 0: none yet
     std::vector<Points> points_;
+    std::vector<Lowering> lowerings_; ///< of one place: scan()'s own
 };
 
 } // namespace facetmill
