@@ -185,4 +185,8 @@ QString failure_text(const Error& e) {
     return e.remedy().empty() ? message : said_of(message, worded(e.remedy()));
 }
 
+QString clause_mark() {
+    return QObject::tr("; ", "between clauses");
+}
+
 } // namespace facetmill::ui

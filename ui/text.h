@@ -38,6 +38,8 @@ QString number_text(double value, int digits = 6);
 QString in_user_numbers(const QString& text);
 /// Numbers one after the other: "1.5, 2", "1,5; 2".
 QString number_list(const QStringList& numbers);
+/// What stands between clauses that are put one after the other: "; ".
+QString clause_mark();
 /// What the user typed, with points for decimal marks, as core reads it. Who writes commas may write points
 /// as well; only "1.500", which may be meant for thousands, is refused: Error(wrong_type), with `where` for
 /// its place.

@@ -102,8 +102,4 @@ QString position_text(double mm, LengthUnit unit) {
     return number_text(digits < 1 ? 0 : value, std::max(digits, 1));
 }
 
-QString clause_mark() {
-    return QObject::tr("; ", "between clauses");
-}
-
 } // namespace facetmill::ui

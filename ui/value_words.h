@@ -27,7 +27,5 @@ QString shown_number(double core_value, const ParameterInfo& info, LengthUnit un
 QString position_text(double mm, LengthUnit unit);
 /// How many decimals that are: thousandths of a millimetre, ten-thousandths of an inch.
 int position_decimals(LengthUnit unit);
-/// What stands between clauses that are put one after the other: "; ".
-QString clause_mark();
 
 } // namespace facetmill::ui

@@ -1,7 +1,6 @@
 #include "ui/worded.h"
 
 #include "ui/text.h"
-#include "ui/value_words.h"
 
 #include <QCoreApplication>
 #include <QFile>
