@@ -128,7 +128,8 @@ ParameterValue value_of(Random& rng, const ParameterInfo& info, const ParameterV
 /// Parameters that came after seeds had been kept for what they had found: each would make another job of
 /// every seed. (What boundaries and tool axes do is tried by tests of their own.)
 bool came_later(const ParameterInfo& info) {
-    const std::string_view later[] = {"boundary", "contain", "avoid", "avoid_distance", "tool_axis", "off"};
+    const std::string_view later[] = {"boundary",  "contain", "avoid", "avoid_distance",
+                                      "tool_axis", "off",     "passes"};
     return std::find(std::begin(later), std::end(later), info.key) != std::end(later);
 }
 
