@@ -87,6 +87,12 @@ private slots:
         QVERIFY2(map.flattest_v > 0.9, qPrintable(QString::number(map.flattest_v)));
         for (const double u : map.u)
             QVERIFY(u >= 0 && u <= map.u_hi);
+        for (std::size_t f = 0; f < mesh.facet_count(); ++f)
+            for (int k = 1; k < 3; ++k) {
+                const Vec3 edge = mesh.corner(f, k) - mesh.corner(f, 0);
+                const double grown = map.v[mesh.facets[f][std::size_t(k)]] - map.v[mesh.facets[f][0]];
+                QVERIFY(std::abs(map.gradients[f].dot(edge) - grown) < 1e-9 * size);
+            }
         const double along = largest_error(mesh, map.u, [](const Vec3& p) { return p.x(); });
         if (which < 2) QVERIFY2(along < 0.2, qPrintable(QString::number(along)));
         // The other way the winding says nothing.
