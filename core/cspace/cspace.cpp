@@ -123,10 +123,7 @@ double CSpaceBuilder::top(const ContactFrame& frame, double lead, double yaw,
                           std::span<const RaisedCurve> curves) const {
     const CutterProfile& cutter = input_.lift->cutter();
     if (!can_touch(cutter, lead, input_.height)) return -infinity;
-    return top(posture_pose(cutter, frame, {lead, yaw, 0}), curves);
-}
-
-double CSpaceBuilder::top(const ToolPose& pose, std::span<const RaisedCurve> curves) const {
+    const ToolPose pose = posture_pose(cutter, frame, {lead, yaw, 0});
     double least = infinity;
     for (const RaisedCurve& curve : curves) {
         CurveLift::Hint hint;

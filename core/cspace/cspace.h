@@ -96,11 +96,10 @@ public:
     /// The bottom is exact up to `enough`, and where it is above that any number between the two.
     double bottom(const ContactFrame& frame, double lead, double yaw, ToolLift::Hint& hint,
                   double enough = infinity) const;
+    /// Below 0 where the posture leaves more than it may at one of the curves.
     double top(const ContactFrame& frame, double lead, double yaw, std::span<const RaisedCurve> curves) const;
-    /// The top of any pose: below 0 where it leaves more than it may at one of the curves.
-    double top(const ToolPose& pose, std::span<const RaisedCurve> curves) const;
-    /// The same for one curve: the exact value up to `enough`, any number between it and that above. -inf
-    /// where the cutter cannot touch with this lead.
+    /// The same for any pose and one curve: the exact value up to `enough`, any number between it and that
+    /// above. -inf where the cutter cannot touch with this lead.
     double top(const ToolPose& pose, double lead, const RaisedCurve& curve, CurveLift::Hint& hint,
                double enough) const;
     /// Whether that is `level` or higher; sooner than the value.
