@@ -24,7 +24,7 @@ constexpr double rim_depth = 1e-4;
 } // namespace
 
 FineStock::FineStock(const PlanContext& context, const StockField& field, const StockCutter& cutter,
-                     double spacing, double skin, double from)
+                     double spacing, double skin, double from, const Box3& within)
     : field_(field), part_(context.contact, CutterProfile(AptCutter::flat(2 * skin, unlimited_height))),
       skin_(skin), from_(from), half_diagonal_(std::sqrt(0.5) * field.cell()),
       tile_(tile_radii * cutter.radius()), rim_spacing_(rim_share * spacing),
@@ -38,9 +38,12 @@ FineStock::FineStock(const PlanContext& context, const StockField& field, const 
     tile_rows_ = int(double(field.rows()) * field.cell() / tile_) + 1;
     near_.resize(std::size_t(tile_columns_) * std::size_t(tile_rows_));
     for (const auto& earlier : context.earlier) {
-        cutters_.emplace_back(CutterProfile(earlier->cutter));
+        const StockCutter& made = cutters_.emplace_back(CutterProfile(earlier->cutter));
+        const Vec3 reach = Vec3::Constant(made.radius() + field.cell());
         for (const auto& [a, b] : earlier->motions)
-            add_cut({a, b, std::uint32_t(cutters_.size() - 1)});
+            if (((a.cwiseMin(b) - reach).array() <= within.hi.array()).head<2>().all()
+                && ((a.cwiseMax(b) + reach).array() >= within.lo.array()).head<2>().all())
+                add_cut({a, b, std::uint32_t(cutters_.size() - 1)});
     }
     cutters_.push_back(cutter);
 }

@@ -22,9 +22,10 @@ public:
     /// For a field of what operations before left, and for points about `spacing` apart, farther where a
     /// cell would have more than a thousand. What stands no
     /// farther than `skin` from the part, or above it, is not asked, nor what is lower than `from`. `cutter`
-    /// is that of the operation, with which cut() cuts. The field has to outlive this.
+    /// is that of the operation, with which cut() cuts. No cell that lies outside `within`, seen along Z, by
+    /// more than one of them is asked about. The field has to outlive this.
     FineStock(const PlanContext& context, const StockField& field, const StockCutter& cutter, double spacing,
-              double skin, double from);
+              double skin, double from, const Box3& within);
 
     /// How much higher than `base` something stands in a cell (as StockField counts them) within `radius` of
     /// p; 0 where nothing does.

@@ -141,15 +141,21 @@ std::vector<LeftStock::Body> LeftStock::bodies_of(const Tool& tool) {
     return bodies;
 }
 
-LeftStock::LeftStock(const PlanContext& context, double cell, double fine, double skin, double lowest_tip,
+double LeftStock::widest_of(const std::vector<Body>& bodies) {
+    double widest = 0;
+    for (const Body& body : bodies)
+        widest = std::max(widest, body.radius);
+    return widest;
+}
+
+LeftStock::LeftStock(const PlanContext& context, double cell, double fine, double skin, const Box3& tips,
                      const Progress& progress)
     : bodies_(bodies_of(context.tool)), lowest_base_(bodies_.empty() ? infinity : bodies_.front().base),
-      field_(stock_before(context, cell, progress, lowest_tip + lowest_base_)),
+      widest_(widest_of(bodies_)), near_{tips.lo - Vec3(widest_, widest_, 0),
+                                         tips.hi + Vec3(widest_, widest_, 0)},
+      field_(stock_before(context, cell, progress, tips.lo.z() + lowest_base_, near_)),
       cutter_(CutterProfile(context.tool.cutter())), hop_(hop_radii * cutter_.radius()),
-      fine_(context, field_, cutter_, fine, skin, lowest_tip + lowest_base_) {
-    for (const Body& body : bodies_)
-        widest_ = std::max(widest_, body.radius);
-}
+      fine_(context, field_, cutter_, fine, skin, tips.lo.z() + lowest_base_, near_) {}
 
 double LeftStock::lack(const Vec3& tip) {
     double lack = 0;
@@ -269,12 +275,14 @@ std::optional<ClearOfStock> keep_clear_of_left_stock(std::vector<Pass>& passes, 
                                                      const PassesInstead& instead) {
     // Nothing is known of a stock: nothing is asked.
     if (context.stock.box.empty() && context.earlier.empty()) return std::nullopt;
-    double lowest = infinity;
+    Box3 tips;
     for (const Pass& p : passes)
         for (const CutterLocation& c : p.cl)
-            lowest = std::min(lowest, c.tip.z());
-    if (lowest + context.tool.flute_length >= context.stock_box.hi.z()) return std::nullopt;
-    LeftStock stock(context, cell_share * radius, fine_share * radius, skin_share * tolerance, lowest,
+            tips.add(c.tip);
+    if (tips.lo.z() + context.tool.flute_length >= context.stock_box.hi.z()) return std::nullopt;
+    // Others in their place may lie anywhere.
+    if (instead) tips = {Vec3(-infinity, -infinity, tips.lo.z()), Vec3::Constant(infinity)};
+    LeftStock stock(context, cell_share * radius, fine_share * radius, skin_share * tolerance, tips,
                     progress);
     ClearOfStock clear =
         keep_clear_of_stock(std::move(passes), stock, shortest_piece * radius, contact, progress, instead);

@@ -21,8 +21,9 @@ class LeftStock {
 public:
     /// The stock as operations before left it, in cells of about `cell`, and those that are asked about in
     /// points `fine` apart. What stands no farther than `skin` from the part, or above it, is not
-    /// asked: HolderReach answers for the part itself. No tip that is asked about is lower than `lowest_tip`.
-    LeftStock(const PlanContext& context, double cell, double fine, double skin, double lowest_tip,
+    /// asked: HolderReach answers for the part itself. No tip that is asked about is lower than the box
+    /// `tips`, nor outside it seen along Z.
+    LeftStock(const PlanContext& context, double cell, double fine, double skin, const Box3& tips,
               const Progress& progress);
     LeftStock(const LeftStock&) = delete;
     LeftStock& operator=(const LeftStock&) = delete;
@@ -44,14 +45,15 @@ private:
         double radius, base; ///< its lower face over the tip
     };
     static std::vector<Body> bodies_of(const Tool& tool); ///< from below
+    static double widest_of(const std::vector<Body>& bodies);
 
     std::vector<Body> bodies_;
-    double lowest_base_;
+    double lowest_base_, widest_;
+    Box3 near_; ///< where shank and holder come, seen along Z
     StockField field_;
     StockCutter cutter_;
     double hop_;
     FineStock fine_;
-    double widest_ = 0;
 };
 
 /// Passes that may be cut in the place of those that are held up, as clear of the part as they are: beside

@@ -2,7 +2,8 @@
 
 namespace facetmill {
 
-StockField stock_before(const PlanContext& context, double cell, const Progress& progress, double from) {
+StockField stock_before(const PlanContext& context, double cell, const Progress& progress, double from,
+                        const Box3& within) {
     StockSolid solid = context.stock;
     if (solid.box.empty()) {
         solid = StockSolid();
@@ -12,7 +13,7 @@ StockField stock_before(const PlanContext& context, double cell, const Progress&
     if (from > -infinity) field.forget_below(from);
     for (const auto& earlier : context.earlier) {
         const StockCutter cutter{CutterProfile(earlier->cutter)};
-        field.cut(cutter, earlier->motions, progress.part(0.5, 0.5));
+        field.cut(cutter, earlier->motions, progress.part(0.5, 0.5), within);
     }
     progress.set(1);
     return field;

@@ -8,8 +8,9 @@
 namespace facetmill {
 
 /// The stock as it stands before an operation, in cells of `cell` mm; cells without anything above `from` are
-/// forgotten (StockField::forget_below). Throws what StockField does.
+/// forgotten (StockField::forget_below). Outside `within`, seen along Z, more may stand than does: whoever
+/// asks about a small piece of a part does not wait for all that was cut. Throws what StockField does.
 StockField stock_before(const PlanContext& context, double cell, const Progress& progress,
-                        double from = -infinity);
+                        double from = -infinity, const Box3& within = StockField::everywhere());
 
 } // namespace facetmill

@@ -88,7 +88,7 @@ StockField::StockField(const StockSolid& solid, double cell, const Progress& pro
         fill_round(solid);
     else if (solid.kind == StockSolid::Kind::mesh)
         fill_mesh(solid, progress);
-    find_run_tops();
+    find_runs();
     progress.set(1);
 }
 
@@ -131,19 +131,25 @@ void StockField::fill_mesh(const StockSolid& solid, const Progress& progress) {
 
 double StockField::highest() const {
     double most = -infinity;
-    for (const double top : run_tops_)
-        most = std::max(most, top);
+    for (const Cell& r : runs_)
+        most = std::max(most, r.top);
     return most;
 }
 
-void StockField::find_run_tops() {
+StockField::Cell StockField::highest_of(const Cell* cells, int count) {
+    Cell most{-infinity, -infinity};
+    for (const Cell* cell = cells; cell != cells + count; ++cell)
+        most = {std::max(most.top, cell->top), std::max(most.middle, cell->middle)};
+    return most;
+}
+
+void StockField::find_runs() {
     run_columns_ = (columns_ + run - 1) / run;
-    run_tops_.assign(std::size_t(run_columns_) * std::size_t(rows_), -infinity);
+    runs_.clear();
+    runs_.reserve(std::size_t(run_columns_) * std::size_t(rows_));
     for (int row = 0; row < rows_; ++row)
-        for (int column = 0; column < columns_; ++column) {
-            double& top = run_tops_[std::size_t(row) * std::size_t(run_columns_) + std::size_t(column / run)];
-            top = std::max(top, cells_[at(column, row)].top);
-        }
+        for (int start = 0; start < columns_; start += run)
+            runs_.push_back(highest_of(&cells_[at(start, row)], std::min(run, columns_ - start)));
     no_higher_ = highest();
 }
 
@@ -151,7 +157,7 @@ void StockField::forget_below(double z) {
     forgotten_ = z;
     for (Cell& cell : cells_)
         forget_low(cell);
-    find_run_tops();
+    find_runs();
 }
 
 /// The cells near a line.
@@ -161,9 +167,11 @@ struct CellsNear {
     /// `floor`; ends when visit returns false. Most cells near a line are cut already: `wanted` is asked
     /// first.
     /// `ahead`: only what lies on this side of a, if it is not 0; little else is visited then.
-    template <class Field, class Wanted, class Visit>
+    /// `may_matter(most, square)`: false where cells that are nowhere higher, nor nearer to the line than the
+    /// root of `square`, are left out.
+    template <class Field, class Wanted, class Visit, class Matters>
     static void line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor, Wanted&& wanted,
-                     Visit&& visit, const StockRows& rows = {}, const Vec2& ahead = Vec2::Zero()) {
+                     Visit&& visit, const StockRows& rows, const Vec2& ahead, Matters&& may_matter) {
         if (field.cells_.empty()) return;
         const double cell_ = field.cell_;
         const Box3& box_ = field.box_;
@@ -175,12 +183,15 @@ struct CellsNear {
         const auto last = [&](double x, double lo, int n) {
             return int(std::clamp(std::ceil((x + reach - lo) / cell_ - 0.5), -1.0, double(n - 1)));
         };
-        const double x0 = std::min(a.x(), b.x()), x1 = std::max(a.x(), b.x());
-        const int row1 = std::min(last(std::max(a.y(), b.y()), box_.lo.y(), field.rows_), rows.last);
-        const int all0 = first(x0, box_.lo.x()), all1 = last(x1, box_.lo.x(), field.columns_);
+        const Vec2 lo = a.cwiseMin(b), hi = a.cwiseMax(b);
+        const auto beside = [](double from, double to, double low, double high) {
+            return std::max({from - high, low - to, 0.0});
+        };
+        const int row1 = std::min(last(hi.y(), box_.lo.y(), field.rows_), rows.last);
+        const int all0 = first(lo.x(), box_.lo.x()), all1 = last(hi.x(), box_.lo.x(), field.columns_);
         const double reach_square = reach * reach;
-        for (int row = std::max(first(std::min(a.y(), b.y()), box_.lo.y()), rows.first); row <= row1; ++row) {
-            auto* tops = field.run_tops_.data() + std::ptrdiff_t(row) * field.run_columns_;
+        for (int row = std::max(first(lo.y(), box_.lo.y()), rows.first); row <= row1; ++row) {
+            auto* runs = field.runs_.data() + std::ptrdiff_t(row) * field.run_columns_;
             auto* cells = field.cells_.data() + std::ptrdiff_t(row) * field.columns_;
             int column0 = all0, column1 = all1;
             // (x - a.x) ahead.x > -(y - a.y) ahead.y, and a cell more.
@@ -195,10 +206,15 @@ struct CellsNear {
             } else if (level > cell_ * std::abs(ahead.y())) {
                 continue;
             }
+            const double across = beside(y, y, lo.y(), hi.y());
             for (int begin = column0; begin <= column1;) {
+                auto& most = runs[begin / field.run];
                 const int start = begin / field.run * field.run,
                           end = std::min(column1, start + field.run - 1);
-                if (tops[begin / field.run] > floor) {
+                const double along = beside(field.center(begin, row).x(), field.center(end, row).x(), lo.x(),
+                                            hi.x()),
+                             near = (1 - tolerance::figure_rounding) * (along * along + across * across);
+                if (most.top > floor && near <= reach_square && may_matter(most, near)) {
                     for (int column = begin; column <= end; ++column) {
                         auto& cell = cells[column];
                         if (!wanted(cell)) continue;
@@ -208,17 +224,18 @@ struct CellsNear {
                         if (d2 > reach_square) continue;
                         if (!visit(cell, d2, t)) return;
                     }
-                    if constexpr (!std::is_const_v<Field>) {
-                        double top = -infinity;
-                        for (int column = start; column < std::min(field.columns_, start + field.run);
-                             ++column)
-                            top = std::max(top, cells[column].top);
-                        tops[begin / field.run] = top;
-                    }
+                    if constexpr (!std::is_const_v<Field>)
+                        most = Field::highest_of(cells + start, std::min(field.run, field.columns_ - start));
                 }
                 begin = end + 1;
             }
         }
+    }
+    template <class Field, class Wanted, class Visit>
+    static void line(Field& field, const Vec2& a, const Vec2& b, double reach, double floor, Wanted&& wanted,
+                     Visit&& visit, const StockRows& rows = {}) {
+        line(field, a, b, reach, floor, wanted, visit, rows, Vec2::Zero(),
+             [](const StockField::Cell&, double) { return true; });
     }
 };
 
@@ -271,19 +288,16 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
         const int column0 = std::max(0, int(std::ceil((from - box_.lo.x()) / cell_ - 0.5)));
         const int column1 = std::min(columns_ - 1, int(std::floor((to - box_.lo.x()) / cell_ - 0.5)));
         Cell* cells = cells_.data() + std::ptrdiff_t(row) * columns_;
-        double* tops = run_tops_.data() + std::ptrdiff_t(row) * run_columns_;
+        Cell* runs = runs_.data() + std::ptrdiff_t(row) * run_columns_;
         for (int begin = column0; begin <= column1;) {
             const int start = begin / run * run, end = std::min(column1, start + run - 1);
-            if (tops[begin / run] > z) {
+            if (runs[begin / run].top > z) {
                 for (int column = begin; column <= end; ++column) {
                     for (double* height : {&cells[column].top, &cells[column].middle})
                         if (*height > z && *height <= top) *height = z;
                     forget_low(cells[column]);
                 }
-                double most = -infinity;
-                for (int column = start; column < std::min(columns_, start + run); ++column)
-                    most = std::max(most, cells[column].top);
-                tops[begin / run] = most;
+                runs[begin / run] = highest_of(cells + start, std::min(run, columns_ - start));
             }
             begin = end + 1;
         }
@@ -294,9 +308,10 @@ void StockField::cut_level(const Vec2& a, const Vec2& b, double radius, double z
 class BandCuts {
 public:
     using Motion = StockField::Motion;
-    /// Both must outlive this.
-    BandCuts(StockField& field, const StockCutter& cutter, std::span<const Motion> motions)
-        : field_(field), cutter_(cutter), motions_(motions) {}
+    /// All must outlive this.
+    BandCuts(StockField& field, const StockCutter& cutter, std::span<const Motion> motions,
+             const Box3& within)
+        : field_(field), cutter_(cutter), motions_(motions), within_(within) {}
 
     /// Calls before(motion, rows) before each of them is made.
     template <class Before>
@@ -305,11 +320,12 @@ public:
         std::vector<StockRows> reached;
         reached.reserve(motions_.size());
         StockRows all{field_.rows_, -1};
+        const StockRows asked{row_at(within_.lo.y()) - 1, row_at(within_.hi.y()) + 1};
         for (const Motion& motion : motions_) {
-            reached.push_back(rows_of(motion));
+            reached.push_back(is_near(motion) ? rows_of(motion) : StockRows{field_.rows_, -1});
             all = {std::min(all.first, reached.back().first), std::max(all.last, reached.back().last)};
         }
-        all = {std::max(all.first, 0), std::min(all.last, field_.rows_ - 1)};
+        all = {std::max({all.first, asked.first, 0}), std::min({all.last, asked.last, field_.rows_ - 1})};
         const bool stood = field_.last_tip_ == motions_.front()[0] && field_.last_cutter_ == cutter_.number_;
         const auto n = std::size_t(std::max(all.last - all.first + 1, 0));
         const auto bands = bands_per_thread * std::size_t(thread_count());
@@ -334,16 +350,21 @@ public:
 private:
     /// Those that the cutter reaches, and a few more.
     StockRows rows_of(const Motion& motion) const {
-        const auto row = [&](double y) {
-            return int(std::clamp((y - field_.box_.lo.y()) / field_.cell_, -2.0, 2e9));
-        };
         const auto [low, high] = std::minmax(motion[0].y(), motion[1].y());
-        return {row(low - cutter_.radius()) - 1, row(high + cutter_.radius()) + 1};
+        return {row_at(low - cutter_.radius()) - 1, row_at(high + cutter_.radius()) + 1};
+    }
+    int row_at(double y) const { return int(std::clamp((y - field_.box_.lo.y()) / field_.cell_, -2.0, 2e9)); }
+    /// Whether it may come into the columns that are asked about.
+    bool is_near(const Motion& motion) const {
+        const auto [low, high] = std::minmax(motion[0].x(), motion[1].x());
+        const double reach = cutter_.radius() + field_.cell_;
+        return low - reach <= within_.hi.x() && high + reach >= within_.lo.x();
     }
 
     StockField& field_;
     const StockCutter& cutter_;
     std::span<const Motion> motions_;
+    const Box3& within_;
 };
 
 void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
@@ -352,8 +373,9 @@ void StockField::cut(const StockCutter& cutter, const Vec3& a, const Vec3& b) {
     last_cutter_ = cutter.number_;
 }
 
-void StockField::cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress) {
-    BandCuts(*this, cutter, motions).run([](std::size_t, const Rows&) {}, progress);
+void StockField::cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress,
+                     const Box3& within) {
+    BandCuts(*this, cutter, motions, within).run([](std::size_t, const Rows&) {}, progress);
 }
 
 std::vector<char> StockField::cut_telling_work(const StockCutter& cutter, std::span<const Motion> motions,
@@ -363,7 +385,8 @@ std::vector<char> StockField::cut_telling_work(const StockCutter& cutter, std::s
         const auto& [a, b] = motions[i];
         if (!work[i] && has_work(cutter, a, b, least, rows)) work[i] = 1;
     };
-    BandCuts(*this, cutter, motions).run(look, progress);
+    const Box3 all = everywhere();
+    BandCuts(*this, cutter, motions, all).run(look, progress);
     return {work.begin(), work.end()};
 }
 
@@ -391,8 +414,9 @@ void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3&
     // Most cells in reach stay as they are: low enough, or under the rim, which takes the middle alone.
     const double inner = std::max(0.0, cutter.radius() - half_diagonal_), whole = inner * inner;
     const auto lower = [&](Cell& cell, double square, double z) {
-        const bool middle = cell.middle > low.z(), top = square <= whole;
-        if (!(middle || top) || z + cutter.at_least(square) >= cell.top) return true;
+        const double least = z + cutter.at_least(square);
+        const bool middle = cell.middle > std::max(low.z(), least), top = square <= whole && cell.top > least;
+        if (!(middle || top)) return true;
         const double d = std::sqrt(square);
         const auto lower_to = [&](double& height, double slack) {
             if (height <= low.z() || height > z + cutter.covered(d + slack)) return;
@@ -403,17 +427,24 @@ void StockField::cut_piece(const StockCutter& cutter, const Vec3& p, const Vec3&
         forget_low(cell);
         return true;
     };
+    // Nor does what is no higher than the lower end would leave it anywhere so far away.
+    const double lowest = low.z() - tolerance::bound_slack * (std::abs(p.z()) + std::abs(q.z()));
+    const auto may_lower = [&](const Cell& most, double square) {
+        const double d = std::sqrt(square);
+        return most.middle > lowest + cutter.below(d)
+               || (square <= whole && most.top > lowest + cutter.below(d + half_diagonal_));
+    };
     CellsNear::line(
         *this, p.head<2>(), q.head<2>(), cutter.radius(), low.z(), higher,
         [&](Cell& cell, double square, double t) { return lower(cell, square, p.z() + t * (q.z() - p.z())); },
-        rows, stood_at_p ? on : Vec2(Vec2::Zero()));
+        rows, stood_at_p ? on : Vec2(Vec2::Zero()), may_lower);
     // Ahead of its lower end, that was the nearest.
     const bool falls = q.z() < p.z();
     if (p.z() == q.z() || (!falls && stood_at_p)) return;
     CellsNear::line(
         *this, low.head<2>(), low.head<2>(), cutter.radius(), low.z(), higher,
         [&](Cell& cell, double square, double) { return lower(cell, square, low.z()); }, rows,
-        falls ? Vec2(-on) : on);
+        falls ? Vec2(-on) : on, may_lower);
 }
 
 double StockField::clear_height(const StockCutter& cutter, const Vec2& a, const Vec2& b) const {

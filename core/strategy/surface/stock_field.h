@@ -98,9 +98,12 @@ public:
     void forget_below(double z);
     /// The cutter moves straight from a to b at feed.
     void cut(const StockCutter& cutter, const Vec3& a, const Vec3& b);
-    /// The same for motions (from, to) one after the other, on all cores.
+    /// The same for motions (from, to) one after the other, on all cores. Cells that lie
+    /// outside `within`, seen along Z, by more than one of them may stay higher.
     using Motion = std::array<Vec3, 2>;
-    void cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress);
+    void cut(const StockCutter& cutter, std::span<const Motion> motions, const Progress& progress,
+             const Box3& within = everywhere());
+    static Box3 everywhere() { return {Vec3::Constant(-infinity), Vec3::Constant(infinity)}; }
     /// Tells of each of them whether it has work (`has_work`) when its turn comes.
     std::vector<char> cut_telling_work(const StockCutter& cutter, std::span<const Motion> motions,
                                        double least, const Progress& progress);
@@ -128,7 +131,8 @@ private:
     std::size_t at(int column, int row) const {
         return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
     }
-    void find_run_tops();
+    static Cell highest_of(const Cell* cells, int count);
+    void find_runs();
     void forget_low(Cell& cell) const {
         if (cell.top <= forgotten_) cell = {-infinity, -infinity};
     }
@@ -154,7 +158,7 @@ private:
     std::vector<Cell> cells_;
     static constexpr int run = 8; ///< cells of a row
     int run_columns_ = 0;
-    std::vector<double> run_tops_; ///< the highest top of each run
+    std::vector<Cell> runs_; ///< the highest top and middle of each run
     /// What was cut last: a cutter of this surface stood here at its end.
     Vec3 last_tip_ = Vec3::Constant(infinity);
     std::uint64_t last_cutter_ = 0;

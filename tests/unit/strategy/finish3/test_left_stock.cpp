@@ -6,9 +6,19 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace facetmill;
 using namespace facetmill::test;
+
+namespace {
+
+/// Tips that are nowhere lower.
+Box3 above(double z) {
+    return {Vec3(-infinity, -infinity, z), Vec3::Constant(infinity)};
+}
+
+} // namespace
 
 class TestLeftStock : public QObject {
     Q_OBJECT
@@ -40,7 +50,7 @@ private slots:
                     for (const double y : {4 + thick, 10.0, 16.0})
                         earlier->motions.push_back({at(-20, y, 0), at(20, y, 0)});
                     context.earlier = {earlier};
-                    LeftStock stock(context, cell, fine, skin, 0, Progress());
+                    LeftStock stock(context, cell, fine, skin, above(0), Progress());
                     double least = infinity, most = 0;
                     for (double x = -6; x <= 6; x += 0.37) {
                         const double lack = stock.lack(at(x, radius + 1e-6, 0));
@@ -83,7 +93,7 @@ private slots:
                 for (const double beside : {-half, half})
                     earlier->motions.push_back({Vec3(x + beside, y, 6), Vec3(x + beside, y, top)});
                 context.earlier = {earlier};
-                LeftStock stock(context, 0.12, 0.024, 0.0025, 0, Progress());
+                LeftStock stock(context, 0.12, 0.024, 0.0025, above(0), Progress());
                 const double lack = stock.lack(Vec3(x, y, 0));
                 ++(lack > 0 ? held : free);
                 if (lack > 0) QVERIFY2(std::abs(lack - 4) < 1e-5, qPrintable(QString::number(lack)));
@@ -91,6 +101,54 @@ private slots:
             QVERIFY2((deep < 0.0003 ? held : free) == 0,
                      qPrintable(QString("%1 deep: %2 held, %3 free").arg(deep).arg(held).arg(free)));
         }
+    }
+
+    /// Whoever says where its tips are is told the same there as one that may ask anywhere, shank and holder
+    /// reaching out of the box, and does not wait for what was cut far away.
+    void tips_in_a_box_meet_what_stands_about_it() {
+        Tool tool = ball_tool(2);
+        tool.flute_length = 3;
+        tool.shank_diameter = 2;
+        tool.shank_length = 2;
+        tool.holder = {{9, 20}};
+        const Mesh part =
+            height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
+        PlanContext context = context_of(part, tool);
+        context.stock.box = context.part_box;
+        context.stock.box.hi.z() = 9;
+        context.stock_box = context.stock.box;
+        std::mt19937_64 rng(21);
+        std::uniform_real_distribution<double> x(-20, 20), y(-15, 15), z(1, 8), unit(0, 1);
+        auto earlier = std::make_shared<EarlierCuts>();
+        earlier->cutter = AptCutter::flat(4, 30);
+        Vec3 from(x(rng), y(rng), z(rng));
+        for (int k = 0; k < 40; ++k) {
+            const Vec3 to(x(rng), y(rng), k % 2 == 0 ? from.z() : z(rng));
+            earlier->motions.push_back({from, to});
+            from = to;
+        }
+        context.earlier = {earlier};
+        int met = 0;
+        for (int trial = 0; trial < 12; ++trial) {
+            Box3 tips;
+            tips.add(Vec3(x(rng), y(rng), 0));
+            tips.add(tips.lo + Vec3(3 * unit(rng), 3 * unit(rng), 4));
+            LeftStock near(context, 0.2, 0.05, 0.0025, tips, Progress()),
+                all(context, 0.2, 0.05, 0.0025, above(0), Progress());
+            for (int k = 0; k < 40; ++k) {
+                const auto tip = [&] {
+                    return Vec3(tips.lo + Vec3(unit(rng), unit(rng), unit(rng)).cwiseProduct(tips.size()));
+                };
+                const Vec3 a = tip(), b = tip();
+                met += all.lack(a) > 0;
+                QCOMPARE(near.lack(a), all.lack(a));
+                QCOMPARE(near.free_height(a, b), all.free_height(a, b));
+                if (k % 8 != 0) continue;
+                near.cut(a, b);
+                all.cut(a, b);
+            }
+        }
+        QVERIFY(met > 50 && met < 450);
     }
 
     /// Two channels side by side with a thin ridge between them that is higher than the flutes: from one to
@@ -121,7 +179,7 @@ private slots:
             }
             return pass;
         };
-        LeftStock stock(context, cell, 0.024, 0.0025, 0, Progress());
+        LeftStock stock(context, cell, 0.024, 0.0025, above(0), Progress());
         const ContactAt contact = [](const Vec3& tip) { return CutterContact{tip, Vec3::UnitZ()}; };
         const ClearOfStock clear = keep_clear_of_stock(
             {along(here, -15, 0), along(here, 2, 5), along(there, 5, 15), along(here, -5, -15)}, stock, 0.1,

@@ -202,6 +202,95 @@ private slots:
         set_thread_count(0);
     }
 
+    /// Of what others cut lower nothing is asked, and nothing of it changes: level cuts, far and near to each
+    /// other, leave over every cell what the lowest of them leaves by the cutter's table, whatever comes
+    /// first.
+    void level_cuts_leave_what_the_lowest_of_them_leaves() {
+        std::mt19937_64 rng(16);
+        std::uniform_real_distribution<double> at(-14, 14), height(1, 9), turn(-0.4, 0.4);
+        for (int shape = 0; shape < 4; ++shape) {
+            const StockCutter cutter(profile(shape));
+            StockField field(block(Vec3(-10, -10, 0), Vec3(10, 10, 10)), 0.3, Progress());
+            const double half = field.cell() * std::numbers::sqrt2 / 2;
+            std::vector<StockField::Motion> motions;
+            for (int path = 0; path < 6; ++path) {
+                Vec3 from(at(rng), at(rng), height(rng));
+                double angle = at(rng);
+                for (int k = 0; k < 60; ++k) {
+                    angle += turn(rng);
+                    const Vec3 to = from + 0.35 * Vec3(std::cos(angle), std::sin(angle), 0);
+                    motions.push_back({from, to});
+                    from = to;
+                }
+            }
+            for (const auto& [a, b] : motions)
+                field.cut(cutter, a, b);
+            int lowered = 0;
+            for (int row = 0; row < field.rows(); ++row)
+                for (int column = 0; column < field.columns(); ++column) {
+                    const Vec2 c = field.center(column, row);
+                    if (c.cwiseAbs().maxCoeff() > 10) continue;
+                    double top = 10, middle = 10;
+                    for (const auto& [a, b] : motions) {
+                        const Vec2 d = (b - a).head<2>(), p = c - a.head<2>();
+                        const double away = (p - std::clamp(p.dot(d) / d.squaredNorm(), 0.0, 1.0) * d).norm();
+                        middle = std::min(middle, a.z() + cutter.above(away));
+                        if (away <= cutter.radius() - half)
+                            top = std::min(top, a.z() + cutter.above(away + half));
+                    }
+                    lowered += top < 10;
+                    // Rounding may take the next place of the table.
+                    QVERIFY2(std::abs(field.middle(column, row) - middle) < 1e-3
+                                 && std::abs(field.top(column, row) - top) < 1e-3,
+                             qPrintable(QString("%1 %2").arg(field.top(column, row)).arg(top)));
+                }
+            QVERIFY(lowered > 500);
+        }
+    }
+
+    /// Cuts within a box leave there, to the last bit, what cuts everywhere leave, and elsewhere nothing
+    /// lower; far from it nothing is cut.
+    void cuts_within_a_box_are_all_there() {
+        std::mt19937_64 rng(15);
+        std::uniform_real_distribution<double> at(-18, 18), height(1, 9), step(0, 1);
+        for (const int threads : {1, 4}) {
+            set_thread_count(threads);
+            for (int shape = 0; shape < 4; ++shape)
+                for (int trial = 0; trial < trials(12, 3); ++trial) {
+                    const StockCutter cutter(profile(shape));
+                    StockField all(block(Vec3(-15, -15, 0), Vec3(15, 15, 10)), 0.4, Progress()), near = all;
+                    const Vec3 place(at(rng), at(rng), 0), size(3 * step(rng), 3 * step(rng), 0);
+                    const Box3 within{place - size, place + size};
+                    for (int batch = 0; batch < 3; ++batch) {
+                        std::vector<StockField::Motion> motions;
+                        Vec3 from(at(rng), at(rng), height(rng));
+                        for (int k = 0; k < 25; ++k) {
+                            Vec3 to(at(rng), at(rng), step(rng) < 0.5 ? from.z() : height(rng));
+                            if (step(rng) > 0.5) to.head<2>() = from.head<2>() + 0.05 * (to - from).head<2>();
+                            motions.push_back({from, to});
+                            from = step(rng) < 0.1 ? Vec3(at(rng), at(rng), height(rng)) : to;
+                        }
+                        all.cut(cutter, motions, Progress());
+                        near.cut(cutter, motions, Progress(), within);
+                    }
+                    std::size_t untouched = 0;
+                    for (int row = 0; row < all.rows(); ++row)
+                        for (int column = 0; column < all.columns(); ++column) {
+                            const Vec2 c = all.center(column, row);
+                            if (((c - place.head<2>()).cwiseAbs() - size.head<2>()).maxCoeff()
+                                <= all.cell()) {
+                                QVERIFY(near.top(column, row) == all.top(column, row));
+                                QVERIFY(near.middle(column, row) == all.middle(column, row));
+                            }
+                            QVERIFY(near.top(column, row) >= all.top(column, row));
+                            untouched += near.top(column, row) == 10 && all.top(column, row) < 10;
+                        }
+                    QVERIFY(untouched > 100);
+                }
+        }
+        set_thread_count(0);
+    }
+
     /// What is forgotten stays so under later cuts, and what is higher is as without.
     void what_is_forgotten_changes_nothing_above_it() {
         std::mt19937_64 rng(13);
