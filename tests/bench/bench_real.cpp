@@ -1,11 +1,13 @@
 // Parts from elsewhere: each is planned, judged by the verifier, and looked at by the naive check, which
 // shares nothing with it. Prints one markdown table.
 //
-//     bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [NAME ...]
+//     bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [--places FOLDER] [--verifier] [NAME ...]
 //
 // FOLDER has NAME.facetmill for every part; FILE a line "NAME ORIGIN ..." each, which also says which parts
 // and in which order. With --plans the programs are those of PLANS/NAME/*.apt where there are any. K: places
-// looked at are K times farther apart than by default (tried quickly: 4).
+// looked at are K times farther apart than by default (tried quickly: 4). --places: the places that each
+// judge looked at, with what it found there, as NAME.verifier.txt and NAME.naive.txt: where judges differ.
+// --verifier: without the naive check, which takes most of the time on parts of many facets.
 #include "core/base/parallel.h"
 #include "core/job/planner.h"
 #include "core/job/stock_solid.h"
@@ -35,9 +37,10 @@ double now() {
 }
 
 struct Asked {
-    fs::path folder, plans;
+    fs::path folder, plans, places;
     std::vector<std::pair<std::string, std::string>> parts; ///< name, origin
     double coarse = 1;
+    bool verifier_alone = false;
 };
 
 Asked asked(int argc, char** argv) {
@@ -55,6 +58,10 @@ Asked asked(int argc, char** argv) {
             a.plans = argv[++i];
         } else if (word == "--coarse" && more) {
             a.coarse = std::atof(argv[++i]);
+        } else if (word == "--places" && more) {
+            a.places = argv[++i];
+        } else if (word == "--verifier") {
+            a.verifier_alone = true;
         } else if (a.folder.empty()) {
             a.folder = word;
         } else {
@@ -215,6 +222,32 @@ test::NaiveResult naive(const Job& job, const VerifySettings& used, double coars
     return test::naive_check(*job.part->mesh, programs, options);
 }
 
+/// What each judge found, a place a line, mm: of the verifier "x y z deviation area flags" (flags as in
+/// DeviationSurface), of the naive check "x y z uncut area" where a tool is to cut.
+void write_places(const fs::path& folder, const std::string& name, const DeviationSurface& surface,
+                  const test::NaiveResult& n) {
+    std::vector<Vec3> points;
+    for (const auto& p : surface.points)
+        points.emplace_back(p[0], p[1], p[2]);
+    std::vector<double> areas(points.size(), 0);
+    for (const auto& t : surface.triangles) {
+        const double area = 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+        for (const std::uint32_t corner : t)
+            areas[corner] += area / 3;
+    }
+    std::ofstream ours(folder / (name + ".verifier.txt")), naive(folder / (name + ".naive.txt"));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        ours << points[i].transpose() << ' ' << surface.deviation[i] << ' ' << areas[i] << ' '
+             << int(surface.flags[i]) << '\n';
+    for (const test::NaiveSample& s : n.samples)
+        if (s.to_cut) naive << s.point.transpose() << ' ' << s.uncut << ' ' << s.weight << '\n';
+    ours.flush();
+    naive.flush();
+    if (!ours || !naive)
+        throw Error(ErrorCode::unwritable, folder.string(), "the places cannot be written",
+                    "make the folder");
+}
+
 void row(const Asked& a, const std::string& name, const std::string& origin) {
     const fs::path file = a.folder / (name + ".facetmill");
     const Project project = load_project(file.string());
@@ -231,8 +264,9 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
     const Verification v = verify(*job.part->mesh, job.stock, job.programs, job.settings, Progress());
     const double seconds_judging = now() - start;
     start = now();
-    const test::NaiveResult n = naive(job, v.used, a.coarse);
+    const test::NaiveResult n = a.verifier_alone ? test::NaiveResult() : naive(job, v.used, a.coarse);
     const double seconds_naive = now() - start, per = mm_per(project.unit);
+    if (!a.places.empty()) write_places(a.places, name, *v.surface, n);
     std::string collisions;
     if (!v.collisions.empty()) collisions = ", " + std::to_string(v.collisions.size()) + " collisions";
     std::printf("| %s | %s | %s | %zu | %.0f + %.0f + %.0f | %.5f / %.5f, limit %.5f | %.2f / %.2f | %s%s | "
@@ -280,9 +314,11 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
     }
     const auto seconds = seconds_of(job, machine);
     for (std::size_t i = 0; i < seconds.size(); ++i)
-        std::fprintf(stderr,
-                     "%s: program %zu takes %.0f s, %.1f %% of it rapids; in the air %.1f %% of %.0f mm\n",
-                     name.c_str(), i + 1, seconds[i][0] + seconds[i][1], 100 * rapid_share({seconds[i]}),
+        std::fprintf(stderr, "%s: program %zu takes %.0f s, %.1f %% of it rapids\n", name.c_str(), i + 1,
+                     seconds[i][0] + seconds[i][1], 100 * rapid_share({seconds[i]}));
+    if (a.verifier_alone) return;
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+        std::fprintf(stderr, "%s: naive: program %zu in the air %.1f %% of %.0f mm\n", name.c_str(), i + 1,
                      100 * n.program_air[i] / std::max(n.program_feed[i], 1e-9), n.program_feed[i]);
     std::fprintf(stderr, "%s: naive: in the air", name.c_str());
     for (std::size_t k = 1; k < kinds.size(); ++k)
@@ -297,7 +333,8 @@ int main(int argc, char** argv) {
     const Asked a = asked(argc, argv);
     if (a.parts.empty() || !(a.coarse > 0)) {
         std::fprintf(stderr,
-                     "usage: bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [NAME ...]\n");
+                     "usage: bench_real FOLDER [--list FILE] [--plans FOLDER] [--coarse K] [--places FOLDER] "
+                     "[--verifier] [NAME ...]\n");
         return 2;
     }
     std::printf(
