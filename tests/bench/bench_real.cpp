@@ -269,14 +269,20 @@ void row(const Asked& a, const std::string& name, const std::string& origin) {
     if (!a.places.empty()) write_places(a.places, name, *v.surface, n);
     std::string collisions;
     if (!v.collisions.empty()) collisions = ", " + std::to_string(v.collisions.size()) + " collisions";
-    std::printf("| %s | %s | %s | %zu | %.0f + %.0f + %.0f | %.5f / %.5f, limit %.5f | %.2f / %.2f | %s%s | "
-                "%.1f | %.1f | %zu |\n",
+    const auto by_naive = [&](double value, int digits) {
+        char text[32] = "-";
+        if (!a.verifier_alone) std::snprintf(text, sizeof text, "%.*f", digits, value);
+        return std::string(text);
+    };
+    std::printf("| %s | %s | %s | %zu | %.0f + %.0f + %s | %.5f / %s, limit %.5f | %.2f / %s | %s%s | "
+                "%s | %.1f | %zu |\n",
                 name.c_str(), origin.c_str(), job.operations.c_str(), job.part->mesh->facet_count(),
-                job.seconds_planning, seconds_judging, seconds_naive,
-                std::max(v.figures.gouge_max, v.border.gouge_max) / per, n.gouge_max / per,
-                v.used.gouge_limit / per, 100 * v.uncut_share, 100 * n.uncut_share(),
-                verdict_name(v.verdict()).c_str(), collisions.c_str(),
-                n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0,
+                job.seconds_planning, seconds_judging, by_naive(seconds_naive, 0).c_str(),
+                std::max(v.figures.gouge_max, v.border.gouge_max) / per,
+                by_naive(n.gouge_max / per, 5).c_str(), v.used.gouge_limit / per, 100 * v.uncut_share,
+                by_naive(100 * n.uncut_share(), 2).c_str(), verdict_name(v.verdict()).c_str(),
+                collisions.c_str(),
+                by_naive(n.feed_length > 0 ? 100 * n.air_length / n.feed_length : 0.0, 1).c_str(),
                 100 * rapid_share(seconds_of(job, machine)), outside_travel(project, job, machine));
     for (const UncutReason& r : v.uncut)
         std::fprintf(stderr, "%s: uncut, %s: %.4g mm2, up to %.4g mm at (%.4g, %.4g, %.4g)\n", name.c_str(),
