@@ -12,10 +12,51 @@ std::vector<Pass> PassMaker::passes(const PlannedLine& line, const Progress& pro
     for (const Interval& range : stepover_.ranges(line.v, line.back, line.ahead, within)) {
         const auto points =
             lift_line(field_, line.v * frame_.across, frame_.along, range.lo, range.hi, fine_, progress);
-        all.push_back(pass(thinned(points, fine_.below, fine_.above), line.v, progress));
-        all.back().offset = line.v;
+        for (const auto& run : beside_part(points, line.v)) {
+            all.push_back(pass(thinned(run, fine_.below, fine_.above), line.v, progress));
+            all.back().offset = line.v;
+        }
     }
     return all;
+}
+
+std::vector<std::vector<LinePoint>> PassMaker::beside_part(std::vector<LinePoint> points, double v) const {
+    LiftHint hint, near_hint;
+    // False where nothing is within reach; on the floor the tip rises to where it reaches as much.
+    const auto reaches = [&](LinePoint& p) {
+        if (p.z > field_.floor) return true;
+        const Vec2 xy = frame_.xy(p.s, v);
+        if (field_.lift->contact(xy.x(), xy.y(), hint).facet != no_index) return true;
+        const AxialContact edge = near_.contact(xy.x(), xy.y(), near_hint);
+        if (edge.facet == no_index) return false;
+        p.z = std::max(field_.floor, edge.point.z() - cover_.shoulder());
+        return true;
+    };
+    const auto end_of_run = [&](LinePoint on, LinePoint beside) {
+        while (std::abs(beside.s - on.s) > fine_.shortest()) {
+            LinePoint mid{0.5 * (on.s + beside.s), field_.floor};
+            (reaches(mid) ? on : beside) = mid;
+        }
+        return on;
+    };
+    std::vector<std::vector<LinePoint>> runs;
+    const LinePoint* before = nullptr; // the last one that was left out
+    bool inside = false;
+    for (LinePoint& p : points) {
+        if (!reaches(p)) {
+            if (inside) runs.back().push_back(end_of_run(runs.back().back(), p));
+            inside = false;
+            before = &p;
+            continue;
+        }
+        if (!inside) {
+            runs.emplace_back();
+            if (before) runs.back().push_back(end_of_run(p, *before));
+        }
+        inside = true;
+        runs.back().push_back(p);
+    }
+    return runs;
 }
 
 CutterContact PassMaker::contact_of(const Vec3& tip, const AxialContact& contact) const {

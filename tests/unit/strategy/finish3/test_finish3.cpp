@@ -4,6 +4,7 @@
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/drive_frame.h"
 #include "tests/property/shapes.h"
+#include "tests/support/dirty_scan.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -40,6 +41,22 @@ private slots:
             QCOMPARE(planned(level(), s).chord_tolerance, std::min(tolerance / 20, 0.01));
             s.chord_tolerance = {0.3 * tolerance, ""};
             QCOMPARE(planned(level(), s).chord_tolerance, 0.3 * tolerance);
+        }
+    }
+
+    /// A sphere hangs over below its equator, and lines reach past it, since they serve the places beside
+    /// them too. The tool does not fall there: it ends beside the equator, which it touches with its side.
+    void passes_end_where_the_tool_leaves_the_part() {
+        const Mesh sphere = ringed_sphere(25, 12);
+        for (const double degrees : {0.0, 30.0, 90.0}) {
+            Finish3Settings s;
+            s.tolerance = 0.05;
+            s.direction = {degrees * pi / 180, ""};
+            double lowest = infinity;
+            for (const Pass& p : planned(sphere, s).passes)
+                for (const CutterLocation& c : p.cl)
+                    lowest = std::min(lowest, c.tip.z());
+            QVERIFY2(lowest > -3.05 && lowest < -2, std::to_string(lowest).c_str());
         }
     }
 
