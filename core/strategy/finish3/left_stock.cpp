@@ -162,6 +162,7 @@ double LeftStock::lack(const Vec3& tip) {
     const Vec2 p = tip.head<2>();
     for (const Body& body : bodies_) {
         const double base = tip.z() + body.base;
+        if (base + lack >= field_.no_higher()) continue; // mostly the holder
         field_.each_above(p, body.radius, base + lack, [&](std::size_t cell, double top) {
             if (top > base + lack) lack += fine_.over(cell, p, body.radius, base + lack);
         });
@@ -172,6 +173,7 @@ double LeftStock::lack(const Vec3& tip) {
 double LeftStock::free_height(const Vec3& a, const Vec3& b) const {
     if (bodies_.empty()) return -infinity;
     const double floor = std::min(a.z(), b.z()) + lowest_base_;
+    if (floor >= field_.no_higher()) return floor - lowest_base_;
     return field_.highest_near(a.head<2>(), b.head<2>(), widest_, floor) - lowest_base_;
 }
 
