@@ -1,5 +1,6 @@
 #include "ui/boundary_list.h"
 
+#include "core/base/usual_value.h"
 #include "core/mesh/mesh_format.h"
 #include "ui/text.h"
 #include "ui/worded.h"
@@ -61,6 +62,8 @@ std::size_t add_boundary(Document& document, Boundary::Kind kind) {
     const std::size_t at = document.project().boundaries.size();
     if (!document.part_is_current()) return at;
     Boundary made;
+    ParameterView<Boundary> view(made, boundary_parameters());
+    take_usual_values(view, document.unit());
     made.kind = kind;
     made.name = free_boundary_name(document.project(), first_name(kind));
     complete(made, *document.part(), document.project());

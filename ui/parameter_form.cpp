@@ -1,5 +1,6 @@
 #include "ui/parameter_form.h"
 
+#include "core/base/usual_value.h"
 #include "ui/help.h"
 #include "ui/help_pages.h"
 #include "ui/icons.h"
@@ -58,13 +59,10 @@ QString help_html(const ParameterInfo& info, LengthUnit unit, const QString& sco
     if (!range.isEmpty()) facts << ParameterForm::tr("Range: %1").arg(range.toHtmlEscaped());
     if (info.kind != ParameterKind::text && !info.is_list()) {
         const QString unit_text = text(edge_unit_name(info.quantity, unit));
-        QString value = in_user_numbers(text(info.value_text(info.default_value, unit)));
-        // A round number of the other unit has digits that say nothing.
-        if (const auto* d = std::get_if<double>(&info.default_value))
-            value = number_text(*d / info.scale(unit), 4);
-        else if (const auto* word = std::get_if<std::string>(&info.default_value))
-            value = shown_word(info, *word);
-        if (!std::holds_alternative<std::string>(info.default_value) && !unit_text.isEmpty())
+        const ParameterValue usual = usual_value(info, unit);
+        QString value = in_user_numbers(text(info.value_text(usual, unit)));
+        if (const auto* word = std::get_if<std::string>(&usual)) value = shown_word(info, *word);
+        if (!std::holds_alternative<std::string>(usual) && !unit_text.isEmpty())
             value += QStringLiteral(" ") + unit_text;
         facts << ParameterForm::tr("Default: %1").arg(value.toHtmlEscaped());
     }
@@ -276,9 +274,9 @@ void ParameterForm::add_row(QGridLayout* grid, const ParameterInfo& info,
     connect(row.editor, &ParameterEditor::finished, this, [this, index] { finish(index); });
     connect(row.reset, &QToolButton::clicked, this, [this, index] {
         Row& r = rows_[index];
-        r.editor->show_value(r.info->default_value, unit_);
+        const ParameterValue value = usual_value(*r.info, unit_);
+        r.editor->show_value(value, unit_);
         show_error(r, {}, false);
-        const ParameterValue value = r.info->default_value;
         const std::string key = r.info->key;
         emit edited(key, value);
     });
@@ -302,7 +300,7 @@ void ParameterForm::set_values(const Parameterized& values, LengthUnit unit) {
         row.unit->setText(worded(edge_unit_name(row.info->quantity, unit)));
         // A list has a button of its own that clears it.
         row.reset->setVisible(row.info->kind != ParameterKind::text && !row.info->is_list()
-                              && value != row.info->default_value);
+                              && value != usual_value(*row.info, unit));
         if (same && (row.invalid || row.editor->touched())) continue;
         row.editor->show_value(value, unit);
         if (row.invalid || !same) show_error(row, {}, false);

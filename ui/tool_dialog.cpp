@@ -1,5 +1,6 @@
 #include "ui/tool_dialog.h"
 
+#include "core/base/usual_value.h"
 #include "core/tools/library_file.h"
 #include "ui/icons.h"
 #include "ui/own_folders.h"
@@ -39,6 +40,8 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
         if (*index >= tools.size()) return nullptr;
         tool = tools[*index];
     } else {
+        ParameterView<Tool> view(tool, tool_parameters());
+        take_usual_values(view, document.unit());
         if (!tools.empty()) tool = tools.back();
         tool.flutes = 0; // how that one is run says nothing of another size
         tool.cutting.clear();

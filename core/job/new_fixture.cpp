@@ -1,5 +1,6 @@
 #include "core/job/new_fixture.h"
 
+#include "core/base/usual_value.h"
 #include "core/strategy/surface/plan_region.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace {
 constexpr double jaw_width = 0.25, jaw_height = 0.6, strap_length = 0.3, strap_reach = 0.1, strap_width = 0.2,
                  strap_height = 0.12, plate_margin = 0.2, plate_height = 0.15, bolt_diameter = 0.15,
                  block_share = 0.3;
-/// The clearance of new fixtures in mm and inch: what a hand sets a clamp to, with something to spare.
-constexpr double usual_clearance_mm = 2, usual_clearance_inch = 0.08;
 
 class FixtureMaker {
 public:
@@ -42,9 +41,10 @@ public:
 private:
     Fixture begun(const char* name, const Vec3& bottom) const {
         Fixture f;
+        ParameterView<Fixture> view(f, fixture_parameters());
+        take_usual_values(view, project_.unit);
         f.name = free_fixture_name(project_, name);
         f.unit = project_.unit;
-        f.clearance = (project_.unit == LengthUnit::inch ? usual_clearance_inch : usual_clearance_mm) * per_;
         // Where a stock ends is rarely a round number; this is as near as anyone holds it.
         const double step = project_.unit == LengthUnit::inch ? 1e-4 * per_ : 1e-3;
         for (int k = 0; k < 3; ++k)

@@ -1,5 +1,6 @@
 #include "core/job/new_operation.h"
 
+#include "core/base/usual_value.h"
 #include "core/job/asked_operations.h"
 #include "core/job/cutting_choice.h"
 #include "core/setup/tool_edit.h"
@@ -27,6 +28,7 @@ public:
     NewOperationMaker(std::string_view kind, const Project& project)
         : project_(project), per_(mm_per(project.unit)) {
         made_.operation = make_operation(kind);
+        take_usual_values(*made_.operation, project.unit);
         const auto& all = project.operations;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all[i]->purpose() <= made_.operation->purpose()) made_.place = i + 1;

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/base/usual_value.h"
 #include "core/job/project_inputs.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
@@ -539,12 +540,16 @@ Project default_project(const fs::path& part_file, LengthUnit part_unit, const B
     tool.diameter = tool.shank_diameter = diameter * per;
     tool.corner_radius = tool.diameter / 2;
     tool.flute_length = 3 * tool.diameter;
-    tool.shank_length = allowed(std::max(4 * tool.diameter, part_box.size().z()),
-                                tool_parameters().find("shank_length")->info);
+    // Past the part; out of the holder by what one can read off a rule.
+    const double step = (unit == LengthUnit::inch ? 0.05 : 1) * per;
+    tool.shank_length =
+        allowed(std::max(4 * tool.diameter, std::ceil(part_box.size().z() / step - 1e-9) * step),
+                tool_parameters().find("shank_length")->info);
     tool.name = "Ball " + format_number(diameter);
     p.tools.push_back(tool);
 
     auto operation = make_operation("finish3");
+    take_usual_values(*operation, unit);
     OperationCommon& common = operation->common();
     common.name = "Finish";
     common.tool = tool.number;
@@ -569,6 +574,7 @@ Project default_turned_project(const fs::path& part_file, LengthUnit unit, const
     p.operations.clear();
     const auto add = [&](const char* kind, const char* name, double tolerance) -> Operation& {
         auto operation = make_operation(kind);
+        take_usual_values(*operation, p.unit);
         OperationCommon& common = operation->common();
         common.name = name;
         common.tool = finish.tool;
@@ -580,8 +586,12 @@ Project default_turned_project(const fs::path& part_file, LengthUnit unit, const
     };
     Operation& rough = add("lathe_rough", "Rough", 10 * finish.tolerance);
     const double diameter = p.tools.front().diameter;
-    rough.set("depth_of_cut", diameter / 4);
-    rough.set("finishing_allowance", diameter / 20);
+    const auto rounded = [&](double length) { // a share of a size in mm is round, of 3/16 in it is not
+        const double per = mm_per(p.unit);
+        return p.unit == LengthUnit::inch ? round_to_digit(length / per) * per : length;
+    };
+    rough.set("depth_of_cut", rounded(diameter / 4));
+    rough.set("finishing_allowance", rounded(diameter / 20));
     add("lathe_finish", "Finish", finish.tolerance);
     return p;
 }

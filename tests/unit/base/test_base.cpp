@@ -5,6 +5,7 @@
 #include "core/base/parameter.h"
 #include "core/base/plane_geometry.h"
 #include "core/base/turn.h"
+#include "core/base/usual_value.h"
 #include "core/base/vec.h"
 #include "tests/support/error_code.h"
 #include "tests/support/test_runner.h"
@@ -346,6 +347,31 @@ private slots:
         } catch (const Error& e) {
             QVERIFY2(std::string(e.what()).find("at most 10 in") != std::string::npos, e.what());
         }
+    }
+
+    void usual_values_are_round() {
+        ParameterInfo info;
+        info.quantity = Quantity::length;
+        info.default_value = 1.0;
+        QCOMPARE(std::get<double>(usual_value(info, LengthUnit::mm)), 1.0);
+        QCOMPARE(std::get<double>(usual_value(info, LengthUnit::inch)), 0.04 * mm_per_inch);
+        info.maximum = 1.0; // a wider one is not allowed
+        QCOMPARE(std::get<double>(usual_value(info, LengthUnit::inch)), 1.0);
+        info.maximum = infinity;
+        info.default_value = std::array<double, 3>{40, -20, 0};
+        const auto three = std::get<std::array<double, 3>>(usual_value(info, LengthUnit::inch));
+        QVERIFY(std::abs(three[0] / mm_per_inch - 2) < 1e-12
+                && std::abs(three[1] / mm_per_inch + 0.8) < 1e-12);
+        QCOMPARE(three[2], 0.0);
+        info.default_value = std::string("auto");
+        QCOMPARE(std::get<std::string>(usual_value(info, LengthUnit::inch)), std::string("auto"));
+        info.quantity = Quantity::angle;
+        info.default_value = 0.7;
+        QCOMPARE(std::get<double>(usual_value(info, LengthUnit::inch)), 0.7);
+        const std::pair<double, double> rounded[] = {
+            {0.0393, 0.04}, {39.37, 40}, {0.00197, 0.002}, {9.7, 10}, {-0.0787, -0.08}};
+        for (const auto& [v, round] : rounded)
+            QVERIFY(std::abs(round_to_digit(v) / round - 1) < 1e-12);
     }
 
     void progress_is_monotone_and_shares_the_flag() {

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace facetmill;
 using namespace facetmill::test;
 
@@ -152,6 +154,38 @@ private slots:
         QVERIFY(std::abs(number_of(*rough.operation, "depth") / 25.4 - 0.1) < 1e-12);
         const NewOperation clean = new_operation("cleanup", p);
         QCOMPARE(clean.tool->name, std::string("Ball 0.125"));
+    }
+
+    void lengths_and_feeds_of_all_kinds_are_round_in_inches() {
+        Box3 box;
+        box.add(Vec3::Zero());
+        box.add(Vec3(91.37, 45.83, 37.91));
+        const auto check = [](const Parameterized& values) {
+            for (const ParameterInfo* info : values.parameters()) {
+                if (info->quantity != Quantity::length && info->quantity != Quantity::feed) continue;
+                const std::string shown = info->value_text(values.get(info->key), LengthUnit::inch);
+                // Three numbers have three digits; 3/16 in has four.
+                const auto digits = std::ranges::count_if(shown, [](char c) { return c >= '1' && c <= '9'; });
+                QVERIFY2(digits <= 4, (info->key + ": " + shown).c_str());
+            }
+        };
+        for (const bool turned : {false, true}) {
+            Project p = turned ? default_turned_project("part.stl", LengthUnit::inch, box)
+                               : default_project("part.stl", LengthUnit::inch, box);
+            for (const auto& operation : p.operations)
+                check(*operation);
+            check(ParameterView<Tool>(p.tools.front(), tool_parameters()));
+            check(ParameterView<StockSpec>(p.stock, stock_parameters()));
+            for (const OperationKind& kind : operation_kinds())
+                check(*new_operation(kind.kind, p).operation);
+        }
+        const auto made = new_operation("global_local", default_project("part.stl", LengthUnit::inch, box));
+        QVERIFY(std::abs(number_of(*made.operation, "avoid_distance") / 25.4 - 0.04) < 1e-12);
+        QVERIFY(std::abs(number_of(*made.operation, "rework_offset") / 25.4 - 0.08) < 1e-12);
+        // In mm they are what a file without them means.
+        const auto metric = new_operation("global_local", default_project("part.stl", LengthUnit::mm, box));
+        QCOMPARE(number_of(*metric.operation, "rework_offset"), 2.0);
+        QCOMPARE(default_project("part.stl", LengthUnit::mm, box).tools.front().shank_length, 38.0);
     }
 
     void every_kind_fits_every_new_project() {
