@@ -22,6 +22,18 @@ std::string with_unit(double core_value, const ParameterInfo& info, LengthUnit u
     return format_number(core_value / info.scale(unit)) + (u.empty() ? "" : " ") + std::string(u);
 }
 
+/// A bound that is no round number of the unit, as 1000 mm are none of inches, by three digits within the
+/// range.
+double round_bound(double core_value, bool upper, const ParameterInfo& info, LengthUnit unit) {
+    constexpr double digits = 100, same = 1e-9;
+    const double bound = core_value / info.scale(unit);
+    if (bound == 0 || !std::isfinite(bound)) return core_value;
+    const double step = std::pow(10.0, std::floor(std::log10(std::abs(bound)) + same)) / digits;
+    const double steps = bound / step;
+    if (std::abs(steps - std::round(steps)) < same * std::abs(steps)) return core_value;
+    return (upper ? std::floor(steps) : std::ceil(steps)) * step * info.scale(unit);
+}
+
 void check_number(double v, const ParameterInfo& info, LengthUnit unit) {
     if (!std::isfinite(v))
         throw Error(ErrorCode::out_of_range, info.key, "the value is not a finite number", "enter a number");
@@ -173,12 +185,14 @@ void ParameterInfo::check(const ParameterValue& value, LengthUnit unit) const {
 std::string ParameterInfo::range_text(LengthUnit unit) const {
     const bool low = std::isfinite(minimum), high = std::isfinite(maximum);
     if (!low && !high) return {};
+    const double least = round_bound(minimum, false, *this, unit),
+                 most = round_bound(maximum, true, *this, unit);
     if (low && high && !open_minimum)
-        return format_number(minimum / scale(unit)) + " to " + with_unit(maximum, *this, unit);
+        return format_number(least / scale(unit)) + " to " + with_unit(most, *this, unit);
     if (low && high)
-        return "above " + with_unit(minimum, *this, unit) + " and at most " + with_unit(maximum, *this, unit);
-    if (high) return "at most " + with_unit(maximum, *this, unit);
-    return std::string(open_minimum ? "above " : "at least ") + with_unit(minimum, *this, unit);
+        return "above " + with_unit(least, *this, unit) + " and at most " + with_unit(most, *this, unit);
+    if (high) return "at most " + with_unit(most, *this, unit);
+    return std::string(open_minimum ? "above " : "at least ") + with_unit(least, *this, unit);
 }
 
 std::string ParameterInfo::value_text(const ParameterValue& value, LengthUnit unit) const {

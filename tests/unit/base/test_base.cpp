@@ -349,6 +349,29 @@ private slots:
         }
     }
 
+    /// Bounds that are round in one unit are told in the other by three digits, and no wider than they are.
+    void ranges_are_round() {
+        ParameterInfo info;
+        info.quantity = Quantity::length;
+        info.minimum = 0;
+        info.maximum = 1000;
+        QCOMPARE(info.range_text(LengthUnit::mm), std::string("0 to 1000 mm"));
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("0 to 39.3 in"));
+        info.open_minimum = true;
+        info.maximum = 100000;
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("above 0 in and at most 3930 in"));
+        info.open_minimum = false;
+        info.minimum = -10;
+        info.maximum = 25.4;
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("-0.393 to 1 in"));
+        info.maximum = infinity;
+        info.minimum = 0.01;
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("at least 0.000394 in"));
+        info.quantity = Quantity::angle;
+        info.minimum = 0;
+        info.maximum = pi / 4;
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("0 to 45 °"));
+    }
     void usual_values_are_round() {
         ParameterInfo info;
         info.quantity = Quantity::length;
