@@ -64,7 +64,7 @@ ToolDialog* ToolDialog::open_for(Document& document, std::optional<std::size_t> 
 }
 
 ToolDialog::ToolDialog(const Tool& tool, LengthUnit unit, std::vector<long> taken, QWidget* parent)
-    : QDialog(parent), edit_(tool, unit, say_shape), unit_(unit), taken_(std::move(taken)) {
+    : QDialog(parent), edit_(tool, unit, spoken_tool_names()), unit_(unit), taken_(std::move(taken)) {
     setWindowTitle(tr("Tool"));
     setObjectName(QStringLiteral("tool_dialog"));
 

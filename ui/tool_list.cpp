@@ -1,20 +1,21 @@
 #include "ui/tool_list.h"
 
 #include "core/job/asked_operations.h"
-#include "core/setup/tool_edit.h"
 #include "ui/text.h"
 #include "ui/worded.h"
+
+#include <QLocale>
 
 #include <algorithm>
 
 namespace facetmill::ui {
 
-std::string say_shape(const std::string& english) {
-    return utf8(worded(english));
+ToolNameStyle spoken_tool_names() {
+    return {[](const std::string& english) { return utf8(worded(english)); }, utf8(QLocale().decimalPoint())};
 }
 
 std::string usual_tool_name_said(const Tool& tool, LengthUnit unit) {
-    return usual_tool_name(tool, unit, say_shape);
+    return usual_tool_name(tool, unit, spoken_tool_names());
 }
 
 void name_tools(Project& project) {

@@ -1,16 +1,17 @@
 // Changes of the project's tools, each as one step of the history.
 #pragma once
 
+#include "core/setup/tool_edit.h"
 #include "ui/document.h"
 
 #include <cstddef>
 
 namespace facetmill::ui {
 
-/// "Kugel 6": what the program calls a tool by itself, in the language of the window.
+/// How names of tools are written in the language of the window.
+ToolNameStyle spoken_tool_names();
+/// "Kugel 2,5": what the program calls a tool by itself, in the language of the window.
 std::string usual_tool_name_said(const Tool& tool, LengthUnit unit);
-/// The word for a shape in a tool's name, likewise.
-std::string say_shape(const std::string& english);
 /// The same for all tools of a project that have the usual English name.
 void name_tools(Project& project);
 

@@ -63,14 +63,20 @@ CutterShape shape_of(const Tool& tool) {
     return CutterShape::special;
 }
 
-std::string usual_tool_name(const Tool& tool, LengthUnit unit, const SayShape& say) {
-    const auto length = [&](double mm) { return format_number(mm / mm_per(unit), 4); };
-    const auto angle = [](double a) { return " " + format_number(degrees(a), 3) + "°"; };
+std::string usual_tool_name(const Tool& tool, LengthUnit unit, const ToolNameStyle& style) {
+    const auto number = [&](double value, int digits) {
+        std::string shown = format_number(value, digits);
+        if (const auto point = shown.find('.'); point != std::string::npos)
+            shown.replace(point, 1, style.decimal_mark);
+        return shown;
+    };
+    const auto length = [&](double mm) { return number(mm / mm_per(unit), 4); };
+    const auto angle = [&](double a) { return " " + number(degrees(a), 3) + "°"; };
     const CutterShape shape = shape_of(tool);
     std::string name = "Special";
     for (const ShapeName& s : shape_names)
         if (s.shape == shape) name = s.word;
-    if (say) name = say(name);
+    if (style.shape) name = style.shape(name);
     name += " " + length(tool.diameter);
     switch (shape) {
     case CutterShape::ball:
@@ -92,10 +98,11 @@ std::string usual_tool_name(const Tool& tool, LengthUnit unit, const SayShape& s
     return name;
 }
 
-ToolEdit::ToolEdit(const Tool& tool, LengthUnit unit, SayShape say)
-    : tool_(tool), unit_(unit), say_(std::move(say)), shape_(shape_of(tool)),
+ToolEdit::ToolEdit(const Tool& tool, LengthUnit unit, ToolNameStyle style)
+    : tool_(tool), unit_(unit), style_(std::move(style)), shape_(shape_of(tool)),
       name_follows_(is_placeholder(tool.name) || tool.name == usual_tool_name(tool, unit)
-                    || tool.name == usual_tool_name(tool, unit, say_)),
+                    || tool.name == usual_tool_name(tool, unit, style_)
+                    || tool.name == usual_tool_name(tool, unit, {style_.shape})),
       before_{tool_, shape_} {}
 
 void ToolEdit::set(const std::string& key, const ParameterValue& value) {
@@ -180,7 +187,7 @@ void ToolEdit::set_shape(CutterShape shape) {
 }
 
 void ToolEdit::rename() {
-    if (name_follows_ && tool_.shape_name() != "Invalid") tool_.name = usual_tool_name(tool_, unit_, say_);
+    if (name_follows_ && tool_.shape_name() != "Invalid") tool_.name = usual_tool_name(tool_, unit_, style_);
 }
 
 } // namespace facetmill

@@ -13,16 +13,20 @@ namespace facetmill {
 enum class CutterShape { special, ball, flat, bull, tapered_flat, tapered_ball, drill_point, cone };
 /// By its values, as Tool::shape_name; `special` for values that make no cutter.
 CutterShape shape_of(const Tool& tool);
-/// Says the word for a shape, "Tapered ball", in somebody's language; none: it stays English.
-using SayShape = std::function<std::string(const std::string&)>;
+/// How somebody writes the name of a tool.
+struct ToolNameStyle {
+    /// Says the word for a shape, "Tapered ball", in their language; none: it stays English.
+    std::function<std::string(const std::string&)> shape = {};
+    std::string decimal_mark = ".";
+};
 /// "Ball 6", "Flat 0.25", "Bull 6 R1", "Tapered ball 3 5°": shape and sizes in the unit.
-std::string usual_tool_name(const Tool& tool, LengthUnit unit, const SayShape& say = {});
+std::string usual_tool_name(const Tool& tool, LengthUnit unit, const ToolNameStyle& style = {});
 
 class ToolEdit {
 public:
     /// Values follow from the shape that the tool has now; its name if nobody has written one: it is the
-    /// usual one, in English or as `say` has it, or "Tool" and a number.
-    ToolEdit(const Tool& tool, LengthUnit unit, SayShape say = {});
+    /// usual one, in English or as `style` has it (with its decimal mark or a point), or "Tool" and a number.
+    ToolEdit(const Tool& tool, LengthUnit unit, ToolNameStyle style = {});
 
     const Tool& tool() const { return tool_; }
     CutterShape shape() const { return shape_; }
@@ -49,7 +53,7 @@ private:
     };
     Tool tool_;
     LengthUnit unit_;
-    SayShape say_;
+    ToolNameStyle style_;
     CutterShape shape_;
     bool name_follows_;
     std::string key_; ///< that was set last

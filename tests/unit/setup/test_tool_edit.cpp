@@ -44,9 +44,11 @@ private slots:
     }
 
     void its_name_can_be_in_another_language() {
-        const SayShape german = [](const std::string& word) {
-            return word == "Ball" ? "Kugel" : word == "Tapered ball" ? "Konisch mit Kugel" : word;
-        };
+        const ToolNameStyle german{
+            [](const std::string& word) {
+                return word == "Ball" ? "Kugel" : word == "Tapered ball" ? "Konisch mit Kugel" : word;
+            },
+            ","};
         QCOMPARE(usual_tool_name(ball(), LengthUnit::mm, german), std::string("Kugel 6"));
         ToolEdit edit(ball(), LengthUnit::mm, german); // an English name is the program's own as well
         QVERIFY(edit.name_follows());
@@ -56,6 +58,20 @@ private slots:
         QVERIFY(again.name_follows());
         again.set_shape(CutterShape::tapered_ball);
         QCOMPARE(again.tool().name, std::string("Konisch mit Kugel 2 5°"));
+        // Sizes have the mark of the language; a name from before they had it follows as well.
+        edit.set("diameter", 2.5);
+        QCOMPARE(edit.tool().name, std::string("Kugel 2,5"));
+        edit.set_shape(CutterShape::bull);
+        edit.set("corner_radius", 0.75);
+        QCOMPARE(edit.tool().name, std::string("Bull 2,5 R0,75"));
+        edit.set_shape(CutterShape::tapered_ball);
+        edit.set("taper_angle", radians(2.5));
+        QCOMPARE(edit.tool().name, std::string("Konisch mit Kugel 2,5 2,5°"));
+        Tool before = ball();
+        before.diameter = 4.5;
+        before.corner_radius = 2.25;
+        before.name = "Kugel 4.5";
+        QVERIFY(ToolEdit(before, LengthUnit::mm, german).name_follows());
         // To somebody else it is a name that was written.
         QVERIFY(!ToolEdit(edit.tool(), LengthUnit::mm).name_follows());
     }
