@@ -171,10 +171,12 @@ std::optional<QString> sentence_of(const QString& message, int depth) {
 }
 
 QString place_names(const QString& where) {
-    QStringList parts = where.split(QStringLiteral(": "));
-    for (QString& part : parts)
-        part = sentence_of(part, 0).value_or(part);
-    return parts.join(QStringLiteral(": "));
+    QString all;
+    for (const QString& part : where.split(QStringLiteral(": "))) {
+        const QString said = sentence_of(part, 0).value_or(part);
+        all = all.isEmpty() ? said : said_of(all, said);
+    }
+    return all;
 }
 
 /// Where the bracket at the end of a line opens; -1 where none does.
@@ -210,7 +212,7 @@ QString line_said(const QString& line) {
     }
     if (begin < 0) return head + tail;
     const QString what = sentence_of(head.mid(begin), 0).value_or(head.mid(begin));
-    return (begin > 0 ? place_names(head.left(begin - mark.size())) + mark : QString()) + what + tail;
+    return (begin > 0 ? said_of(place_names(head.left(begin - mark.size())), what) : what) + tail;
 }
 
 /// Where English is spoken and numbers have a point, all is as core says it.
@@ -247,9 +249,8 @@ QString worded(const char* english) {
 
 QString worded(const Error& e) {
     if (const QString line = text(e.what()); as_core_says() && !has_long_count(line)) return line;
-    QString line =
-        e.where().empty() ? QString() : place_names(text(printable(e.where(), 400))) + QStringLiteral(": ");
-    line += worded(printable(e.message(), 4000));
+    QString line = worded(printable(e.message(), 4000));
+    if (!e.where().empty()) line = said_of(place_names(text(printable(e.where(), 400))), line);
     if (!e.remedy().empty()) line += QStringLiteral(" (%1)").arg(worded(printable(e.remedy(), 4000)));
     return line;
 }

@@ -171,6 +171,13 @@ private slots:
         const QString said = ui::worded("Valleys (1 of 2): Valleys: linking");
         QVERIFY2(said.startsWith(QStringLiteral("Valleys (1 von 2): Valleys: ")), qPrintable(said));
         QVERIFY2(!said.contains(QStringLiteral("linking")), qPrintable(said));
+        // Colons are set as the language sets them.
+        ui::speak(QStringLiteral("fr"));
+        const QString french = ui::worded("Valleys (1 of 2): Valleys: linking");
+        QVERIFY2(french.count(QStringLiteral("\u00a0: ")) == 2 && french.count(QChar(':')) == 2,
+                 qPrintable(french));
+        const Error e(ErrorCode::out_of_range, "part.stl: facet 12", "a corner is not a finite number", "");
+        QVERIFY2(ui::worded(e).count(QStringLiteral("\u00a0: ")) == 2, qPrintable(ui::worded(e)));
     }
 
     void words_in_the_view_are_said() {
