@@ -5,6 +5,7 @@
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/value_words.h"
+#include "ui/worded.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -30,6 +31,12 @@ QString chosen_words(const DraftVariation& v) {
     for (const DraftVariation::Choice& c : v.choices)
         if (c.on) on << c.label;
     return on.join(QStringLiteral("; "));
+}
+
+/// "Tolerance (in)".
+QString with_unit(const DraftVariation& v, LengthUnit unit) {
+    const QString in = v.info ? worded(edge_unit_name(v.info->quantity, unit)) : QString();
+    return in.isEmpty() ? v.what : QStringLiteral("%1 (%2)").arg(v.what, in);
 }
 
 } // namespace
@@ -174,7 +181,7 @@ void StudyForm::fill_vary() {
             operation->setFlags(Qt::ItemIsEnabled);
             operation->setExpanded(true);
         }
-        auto* row = new QTreeWidgetItem(operation, {v.what});
+        auto* row = new QTreeWidgetItem(operation, {with_unit(v, draft_.unit)});
         row->setData(0, variation_role, int(i));
         row->setData(0, choice_role, -1);
         if (v.kind == DraftVariation::Kind::choices)
@@ -204,7 +211,7 @@ void StudyForm::add_field(QTreeWidgetItem* row, std::size_t variation) {
     QStringList known;
     for (const std::string& word : v.info->words)
         known << shown_word(*v.info, word);
-    const QString range = in_user_numbers(text(v.info->range_text(draft_.unit)));
+    const QString range = in_user_numbers(worded(v.info->range_text(draft_.unit)));
     const QString words =
         v.info->kind == ParameterKind::triple ? tr("A number for all sides or three with blanks between them "
                                                    "(x, y, z), %1; a semicolon between "

@@ -13,6 +13,8 @@
 #include "ui/rough_controller.h"
 #include "ui/settings.h"
 #include "ui/setup_list.h"
+#include "ui/study_draft.h"
+#include "ui/study_form.h"
 #include "ui/text.h"
 #include "ui/tool_dialog.h"
 #include "ui/value_words.h"
@@ -26,6 +28,7 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -178,6 +181,27 @@ private slots:
                  qPrintable(french));
         const Error e(ErrorCode::out_of_range, "part.stl: facet 12", "a corner is not a finite number", "");
         QVERIFY2(ui::worded(e).count(QStringLiteral("\u00a0: ")) == 2, qPrintable(ui::worded(e)));
+    }
+
+    /// Numbers to type have their unit, and their range is told in the user's language.
+    void a_study_is_asked_in_the_users_words() {
+        Box3 box;
+        box.add(Vec3::Zero());
+        box.add(Vec3(90, 45, 30));
+        const Project project = default_project("part.stl", LengthUnit::inch, box);
+        for (const char* language : {"en", "de", "fr"}) {
+            ui::speak(QString::fromLatin1(language));
+            ui::StudyForm form;
+            form.set_draft(ui::draft_for(project));
+            const QString range =
+                form.findChild<QLineEdit*>(QStringLiteral("study_values_tolerance"))->toolTip();
+            QVERIFY2(range.contains(QStringLiteral("at most")) == (language == QStringLiteral("en")),
+                     qPrintable(range));
+            const auto* vary = form.findChild<QTreeWidget*>(QStringLiteral("study_vary"));
+            QVERIFY(vary->findItems(QStringLiteral(" (in)"), Qt::MatchEndsWith | Qt::MatchRecursive).size()
+                    > 1);
+        }
+        ui::speak(QStringLiteral("en"));
     }
 
     void words_in_the_view_are_said() {
