@@ -13,6 +13,27 @@ namespace {
 /// Where rays begin, in extents of the mesh: above the rounding of coordinates, below any detail of a part.
 constexpr double start_share = 1e-7;
 
+/// A line p + t d that is held against many boxes, grown by `more`, without a division. Where d has no part
+/// along an axis 1 / d is infinite: both sides of a box that p is beside are then infinitely far ahead, or
+/// behind.
+class LineAndBoxes {
+public:
+    LineAndBoxes(const Vec3& p, const Vec3& d, double more)
+        : per_(d.cwiseInverse()), lo_(p + Vec3::Constant(more)), hi_(p - Vec3::Constant(more)) {}
+    /// Whether the line comes into the box between two t.
+    bool meets(const Box3& box, double from, double to) const {
+        for (int k = 0; k < 3; ++k) {
+            const double a = (box.lo[k] - lo_[k]) * per_[k], b = (box.hi[k] - hi_[k]) * per_[k];
+            from = std::max(from, std::min(a, b));
+            to = std::min(to, std::max(a, b));
+        }
+        return from <= to && from < infinity;
+    }
+
+private:
+    Vec3 per_, lo_, hi_;
+};
+
 } // namespace
 
 MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
@@ -21,26 +42,20 @@ MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
 }
 
 bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
-    // As `meets`, without a division. Where d has no part along an axis 1 / d is infinite: both sides of a
-    // box that p is beside are then infinitely far ahead, or behind.
-    const Vec3 per = d.cwiseInverse(), lo = p + Vec3::Constant(start_), hi = p - Vec3::Constant(start_);
-    return tree_.each_until(
-        [&](const Box3& box) {
-            double from = start_, to = infinity;
-            for (int k = 0; k < 3; ++k) {
-                const double a = (box.lo[k] - lo[k]) * per[k], b = (box.hi[k] - hi[k]) * per[k];
-                from = std::max(from, std::min(a, b));
-                to = std::min(to, std::max(a, b));
-            }
-            return from <= to && from < infinity;
-        },
-        [&](std::size_t facet) { return hit(facet, p, d) == infinity; });
+    const LineAndBoxes line(p, d, start_);
+    return tree_.each_until([&](const Box3& box) { return line.meets(box, start_, infinity); },
+                            [&](std::size_t facet) { return hit(facet, p, d) == infinity; });
 }
 
-double MeshSight::first_hit(const Vec3& p, const Vec3& d) const {
-    double nearest = infinity;
-    tree_.each([&](const Box3& box) { return meets(box, p, d, start_, nearest, start_); },
-               [&](std::size_t facet) { nearest = std::min(nearest, hit(facet, p, d)); });
+double MeshSight::first_hit(const Vec3& p, const Vec3& d, double most) const {
+    const LineAndBoxes line(p, d, start_);
+    double within = most, nearest = infinity;
+    tree_.each([&](const Box3& box) { return line.meets(box, start_, within); },
+               [&](std::size_t facet) {
+                   const double here = hit(facet, p, d);
+                   if (here > within) return;
+                   within = nearest = here;
+               });
     return nearest;
 }
 
@@ -64,21 +79,8 @@ double MeshSight::distance(const Vec3& p, double most, double share, double leas
 
 void MeshSight::each_near(const Vec3& p, const Vec3& d, double length, double r,
                           const std::function<void(std::size_t facet)>& visit) const {
-    tree_.each([&](const Box3& box) { return meets(box, p, d, 0, length, r); }, visit);
-}
-
-/// Whether the line comes into the box, grown by `more`, between two lengths.
-bool MeshSight::meets(const Box3& box, const Vec3& p, const Vec3& d, double from, double to, double more) {
-    for (int k = 0; k < 3; ++k) {
-        const double a = box.lo[k] - more - p[k], b = box.hi[k] + more - p[k];
-        if (d[k] == 0) {
-            if (a > 0 || b < 0) return false;
-        } else {
-            from = std::max(from, std::min(a / d[k], b / d[k]));
-            to = std::min(to, std::max(a / d[k], b / d[k]));
-        }
-    }
-    return from <= to;
+    const LineAndBoxes line(p, d, r);
+    tree_.each([&](const Box3& box) { return line.meets(box, 0, length); }, visit);
 }
 
 /// How far the ray goes to the facet; infinity where it passes it by.

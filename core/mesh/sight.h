@@ -18,8 +18,8 @@ public:
     /// ray from a point of a facet leaves that facet and its doubles behind. d is a unit vector.
     bool is_free(const Vec3& p, const Vec3& d) const;
 
-    /// How far it is along such a ray to the first facet; infinity where there is none.
-    double first_hit(const Vec3& p, const Vec3& d) const;
+    /// How far it is along such a ray to the first facet; infinity where there is none up to `most`.
+    double first_hit(const Vec3& p, const Vec3& d, double most = infinity) const;
 
     /// How far p is from the nearest facet; `most` where that is farther. What it is beyond `least` may be
     /// told by 1/share too large, which spares most of the search where many facets are about as near.
@@ -30,7 +30,6 @@ public:
     const Mesh& mesh() const { return mesh_; }
 
 private:
-    static bool meets(const Box3& box, const Vec3& p, const Vec3& d, double from, double to, double more);
     double hit(std::size_t facet, const Vec3& p, const Vec3& d) const;
 
     const Mesh& mesh_;
