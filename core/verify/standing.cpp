@@ -18,26 +18,100 @@ struct Near {
     double from = 0, to = 0;
 };
 
+/// Where a convex function comes from below a limit at `in` to above it at `out`, as halving the way between
+/// them finds it: most of the places that are halved at lie beyond others whose side is known, and are not
+/// asked.
+template <class F>
+double last_below(const F& f, LowPlace in, LowPlace out, double limit, double accuracy) {
+    LowPlace low = in, high = out; // the known places next to the limit
+    const auto ask = [&](double at) {
+        const LowPlace here{at, f(at)};
+        (here.value <= limit ? low : high) = here;
+        return here.value <= limit;
+    };
+    // Chords meet the limit before the function does, as it is convex: where one has, the next place is set
+    // beyond.
+    constexpr int chords = 8;
+    const double fine = std::copysign(accuracy / 16, out.at - in.at);
+    bool beyond = false;
+    for (int k = 0; k < chords && std::abs(high.at - low.at) > 2 * std::abs(fine); ++k) {
+        const double share = (limit - low.value) / (high.value - low.value);
+        const double step = share * (high.at - low.at), at = low.at + (beyond ? 2 * step + fine : step);
+        if (!(std::abs(at - low.at) < std::abs(high.at - low.at))) break;
+        beyond = ask(at);
+    }
+    double from = in.at, to = out.at;
+    const auto is_below = [&](double at) {
+        if (std::abs(at - in.at) <= std::abs(low.at - in.at)) return true;
+        if (std::abs(at - out.at) <= std::abs(high.at - out.at)) return false;
+        return ask(at);
+    };
+    while (std::abs(to - from) > accuracy) {
+        const double middle = 0.5 * (from + to);
+        (is_below(middle) ? from : to) = middle;
+    }
+    return from;
+}
+
 /// Where f, convex on [0, length], is at most `limit`; false where it never is.
 template <class F>
 bool stretch_below(const F& f, double length, double limit, double accuracy, Near& near) {
-    LowPlace low{0, f(0)};
-    if (const LowPlace end{length, f(length)}; end.value < low.value) low = end;
+    const LowPlace begin{0, f(0)}, end{length, f(length)};
+    LowPlace low = end.value < begin.value ? end : begin;
     if (low.value > limit)
         if (const LowPlace within = golden_minimum(f, 0, length, accuracy, limit); within.value < low.value)
             low = within;
     if (low.value > limit) return false;
-    const auto edge = [&](double in, double out) {
-        if (f(out) <= limit) return out;
-        while (std::abs(out - in) > accuracy) {
-            const double middle = 0.5 * (in + out);
-            (f(middle) <= limit ? in : out) = middle;
-        }
-        return in;
+    const auto edge = [&](const LowPlace& out) {
+        return out.value <= limit ? out.at : last_below(f, low, out, limit, accuracy);
     };
-    near = {edge(low.at, 0), edge(low.at, length)};
+    near = {edge(begin), edge(end)};
     return true;
 }
+
+/// A facet beside a line p + t n.
+class FacetBeside {
+public:
+    FacetBeside(const Vec3& p, const Vec3& n, const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 x = n.unitOrthogonal(), y = n.cross(x);
+        for (std::size_t k = 0; const Vec3* corner : {&a, &b, &c}) {
+            const Vec3 from = *corner - p;
+            along_[k] = from.dot(n);
+            across_[k++] = {from.dot(x), from.dot(y)};
+        }
+        const Vec3 normal = (b - a).cross(c - a);
+        height_ = (p - a).dot(normal);
+        climb_ = n.dot(normal);
+        size_ = normal.norm();
+    }
+    /// Whether no place with t in [0, length] is within `reach` of it.
+    bool is_apart(double length, double reach) const {
+        const double end = height_ + length * climb_, off = (1 + tolerance::figure_rounding) * reach * size_;
+        if (std::min(height_, end) > off || std::max(height_, end) < -off) return true;
+        // The whole line, seen along it: a point beside a triangle.
+        double left = 1, right = 1, least = infinity;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec2 &a = across_[k], d = across_[(k + 1) % 3] - a;
+            const double side = a.x() * d.y() - a.y() * d.x(), square = d.squaredNorm();
+            left = std::min(left, side);
+            right = std::min(right, -side);
+            const double t = square > 0 ? std::clamp(-a.dot(d) / square, 0.0, 1.0) : 0;
+            least = std::min(least, (a + t * d).squaredNorm());
+        }
+        const double apart = (1 + tolerance::figure_rounding) * reach;
+        return left < 0 && right < 0 && least > apart * apart;
+    }
+    /// All places within `reach` of it are within these.
+    Near within(double reach) const {
+        return {*std::min_element(along_.begin(), along_.end()) - reach,
+                *std::max_element(along_.begin(), along_.end()) + reach};
+    }
+
+private:
+    std::array<double, 3> along_;
+    std::array<Vec2, 3> across_;               ///< of the line
+    double height_ = 0, climb_ = 0, size_ = 0; ///< over its plane, times twice the facet's area
+};
 
 } // namespace
 
@@ -50,6 +124,14 @@ double Standing::far_place(const Vec3& p, const Vec3& n, double length, double l
     sight_.each_near(p, n, length, reach, [&](std::size_t facet) {
         const Mesh& mesh = sight_.mesh();
         const Vec3 &a = mesh.corner(facet, 0), &b = mesh.corner(facet, 1), &c = mesh.corner(facet, 2);
+        const FacetBeside beside(p, n, a, b, c);
+        if (beside.is_apart(length, reach)) return;
+        const Near most = beside.within(reach);
+        if (most.to < 0 || most.from > length) return;
+        const auto holds = [&](const Near& other) {
+            return other.from <= std::max(most.from, 0.0) && std::min(most.to, length) <= other.to;
+        };
+        if (std::any_of(covered.begin(), covered.end(), holds)) return;
         Near near;
         if (stretch_below([&](double t) { return std::sqrt(squared_distance(p + t * n, a, b, c)); }, length,
                           reach, accuracy, near))
