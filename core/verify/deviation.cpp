@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/verify/motion_shadows.h"
 #include "core/verify/moving_bodies.h"
 #include "core/verify/standing.h"
 
@@ -24,11 +25,13 @@ constexpr int band_count = 6;
 /// All bodies of a program that are asked.
 struct ProgramProbes {
     MotionProbes cutting;
+    MotionShadows shadows;           ///< of `cutting`
     std::vector<MovingBody> watched; ///< must not touch the part
 
     static ProgramProbes of(const VerifyProgram& program, double bound, const Progress& progress) {
         std::vector<MovingBody> bodies = moving_bodies(program, bound, progress);
-        ProgramProbes p{std::move(bodies.front().probes), {}}; // the cutter at feed
+        const MotionProbes& cutting = bodies.front().probes; // the cutter at feed
+        ProgramProbes p{cutting, MotionShadows(cutting, progress), {}};
         bodies.erase(bodies.begin());
         std::erase_if(bodies, [](const MovingBody& b) { return b.probes.motions().empty(); });
         p.watched = std::move(bodies);
@@ -145,7 +148,7 @@ public:
         // Beyond where the line meets the part again nothing stands on this place.
         double next = infinity;
         if (value > aims_.far) {
-            next = sight_.first_hit(p, normal);
+            next = sight_.first_hit(p, normal, value);
             value = std::min(value, std::max(next, std::nextafter(aims_.far, infinity)));
         }
         value = left(p, normal, value, by);
@@ -188,14 +191,18 @@ private:
     }
     bool lower(std::size_t b, const Vec3& p, const Vec3& normal, LineProbe& probe) {
         const MotionProbes& cutting = bodies_[b].cutting;
-        bool lowered = hints_[b] != no_index && cutting.lower(p, normal, hints_[b], probe, {});
+        bool lowered = hints_[b] != no_index && cutting.lower(p, normal, hints_[b], probe, {}, &recent_);
         if (probe.value <= aims_.far && aims_.far < infinity) {
             Nearby& nearby = nearby_[b];
-            return (nearby.one_by_one ? cutting.lower(p, normal, probe, nearby.motions)
-                                      : cutting.lower(p, normal, no_index, probe, nearby.along))
+            return (nearby.one_by_one ? cutting.lower(p, normal, probe, nearby.motions, recent_)
+                                      : cutting.lower(p, normal, no_index, probe, nearby.along, &recent_))
                    || lowered;
         }
-        return cutting.lower(p, normal, no_index, probe) || lowered;
+        const MotionShadows& shadows = bodies_[b].shadows;
+        return (shadows.know(p, normal, probe.value)
+                    ? shadows.lower(cutting, p, normal, probe, recent_)
+                    : cutting.lower(p, normal, no_index, probe, MotionProbes::all_nodes, &recent_))
+               || lowered;
     }
     void collide(const Vec3& surface) {
         for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -216,6 +223,7 @@ private:
     const ProbeAims& aims_;
     double collision_limit_;
     std::vector<Index> deep_hints_, hints_;
+    RecentSweeps recent_;
     /// Nodes of the trees of motions that can matter to the samples of a patch.
     struct Nearby {
         bool one_by_one = false; ///< `motions` are all; else nodes are asked

@@ -73,7 +73,8 @@ bool NearMotions::find(const MotionProbes& probes, const Vec3& center, double ra
     return true;
 }
 
-bool MotionProbes::lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMotions& near) const {
+bool MotionProbes::lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMotions& near,
+                         RecentSweeps& recent) const {
     Line line{p, n};
     line.set(probe.value, slack_);
     const Vec3 off = p - near.center_;
@@ -84,7 +85,7 @@ bool MotionProbes::lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMot
     bool lowered = false;
     for (const NearMotions::Promising& next : near.promising(0, bound)) {
         if (lowered && !(bound(next.place) > 0)) continue;
-        lowered = ask(near.motions_[next.place], line, probe) || lowered;
+        lowered = ask(near.motions_[next.place], line, probe, &recent) || lowered;
     }
     return lowered;
 }

@@ -388,6 +388,14 @@ bool MotionProbes::may_reach(Index motion, const Line& line) const {
     return true;
 }
 
+const SweepRays& RecentSweeps::of(const TurnedBody& body, Index motion, const StraightMove& move,
+                                  const Vec3& direction) {
+    auto& kept = kept_[motion % kept_.size()];
+    if (!kept || kept->motion != motion || kept->body != &body || kept->direction != direction)
+        kept.emplace(Sweep{&body, motion, direction, SweepRays(body, move, direction)});
+    return kept->rays;
+}
+
 namespace {
 
 bool accept(const Stretch& s, Index motion, double slack, LineProbe& probe) {
@@ -398,11 +406,13 @@ bool accept(const Stretch& s, Index motion, double slack, LineProbe& probe) {
 
 } // namespace
 
-bool MotionProbes::ask(Index motion, Line& line, LineProbe& probe) const {
+bool MotionProbes::ask(Index motion, Line& line, LineProbe& probe, RecentSweeps* recent) const {
     const CutterLocation &a = tree_->from(motion), &b = tree_->to(motion);
     if (a.axis != b.axis) return ask_turning(motion, line, probe);
     if (!may_reach(motion, line)) return false;
-    const Stretch s = SweepRays(body_, {a.tip, b.tip, b.axis}, line.n)(line.p);
+    const StraightMove move{a.tip, b.tip, b.axis};
+    const Stretch s =
+        recent ? recent->of(body_, motion, move, line.n)(line.p) : SweepRays(body_, move, line.n)(line.p);
     if (!accept(s, motion, slack_, probe)) return false;
     line.set(probe.value, slack_);
     return true;
@@ -537,12 +547,12 @@ std::vector<Index> MotionProbes::near(const Vec3& center, double radius, double 
 }
 
 bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe,
-                         std::span<const Index> among) const {
+                         std::span<const Index> among, RecentSweeps* recent) const {
     const auto& nodes = tree_->nodes_;
     if (nodes.empty()) return false;
     Line line{p, n};
     line.set(probe.value, slack_);
-    bool lowered = hint != no_index && ask(hint, line, probe);
+    bool lowered = hint != no_index && ask(hint, line, probe, recent);
     OpenNodes open(among, 0, [&](Index node) { return reaches(nodes[node], line); });
     bool stale = false; // what is open was judged by a higher value
     while (!open.empty()) {
@@ -550,7 +560,7 @@ bool MotionProbes::lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& pr
         const MotionTree::Node& node = nodes[top.node];
         if (stale && !(reaches(node, line) > 0)) continue;
         if (node.right == 0) {
-            if (node.motion != hint && ask(node.motion, line, probe)) lowered = stale = true;
+            if (node.motion != hint && ask(node.motion, line, probe, recent)) lowered = stale = true;
             continue;
         }
         open.add_children({top.node + 1, reaches(nodes[top.node + 1], line)},

@@ -16,6 +16,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,6 +89,7 @@ public:
 
 private:
     friend class MotionProbes;
+    friend class MotionShadows;
     friend class NearMotions;
     struct Node {
         Vec3 lo, hi, axis; ///< box of the tips; middle of the axes
@@ -111,6 +113,26 @@ private:
 };
 
 class MotionProbes;
+class MotionShadows; // motion_shadows.h
+
+/// What single motions sweep, each for lines of one direction: places of one facet ask the same motions in
+/// the same direction, one after the other.
+class RecentSweeps {
+public:
+    std::vector<Index> asked; ///< motions that one line was asked about
+    /// For the lines along `direction`; `body` must outlive this.
+    const SweepRays& of(const TurnedBody& body, Index motion, const StraightMove& move,
+                        const Vec3& direction);
+
+private:
+    struct Sweep {
+        const TurnedBody* body;
+        Index motion;
+        Vec3 direction;
+        SweepRays rays;
+    };
+    std::array<std::optional<Sweep>, 64> kept_; ///< at the motion's number modulo so many
+};
 
 /// Straight motions that may matter to places near a center, each with a plane that all of its swept body
 /// lies behind: a point p lies no deeper in motion k than height[k] - normal[k] . (p - center).
@@ -120,6 +142,9 @@ public:
     /// body by more than `depth`. False where that is too much: axes turn, or they are too many.
     bool find(const MotionProbes& probes, const Vec3& center, double radius, double depth,
               std::span<const Index> among);
+    /// Finds those that may reach lines that run within `radius` of p + t n, t in [0, length]. False as
+    /// above.
+    bool find_along(const MotionProbes& probes, const Vec3& p, const Vec3& n, double length, double radius);
 
 private:
     friend class MotionProbes;
@@ -152,6 +177,7 @@ public:
     MotionProbes(TurnedBody body, BodySupport support, std::shared_ptr<const MotionTree> motions,
                  double bound);
 
+    static constexpr std::array<Index, 1> all_nodes{0}; ///< the root
     const MotionTree& motions() const { return *tree_; }
     /// Nodes of the tree, few, that hold every motion in which a point within `radius` of `center` may lie
     /// inside the body by more than `depth`: where many places that are close together are asked, they are
@@ -161,9 +187,10 @@ public:
     /// p + t n, and says whether it did. A stretch counts if it holds part of [min(value, 0), value]: one
     /// that is wholly below 0 only where it joins what is missing above it. `hint`: a motion to ask first, or
     /// no_index; it does not change the value. `among`: the nodes that are asked.
+    /// `recent`: remembers what was asked before.
     bool lower(const Vec3& p, const Vec3& n, Index hint, LineProbe& probe,
-               std::span<const Index> among = all_nodes) const;
-    bool lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMotions& near) const;
+               std::span<const Index> among = all_nodes, RecentSweeps* recent = nullptr) const;
+    bool lower(const Vec3& p, const Vec3& n, LineProbe& probe, NearMotions& near, RecentSweeps& recent) const;
     /// Raises `probe.depth` to the largest depth of the point p inside the moving body, and says whether it
     /// did: the depth is the distance to the body's surface, which needs to know nothing of the part but the
     /// point. Of the courses that the axis may take the deepest. `hint`, `among`: as above.
@@ -174,8 +201,8 @@ public:
     Index first_as_deep(const Vec3& p, const DepthProbe& probe) const;
 
 private:
+    friend class MotionShadows;
     friend class NearMotions;
-    static constexpr std::array<Index, 1> all_nodes{0}; ///< the root
     static constexpr std::size_t max_near = 32; ///< nodes; below them the tree finds faster than a list
     struct Open {
         Index node;
@@ -205,7 +232,7 @@ private:
     double reaches(const MotionTree::Node& node, const Line& line) const;
     BodySupport::Plane between(const CutterLocation& pose, const Line& line, double& t) const;
     bool may_reach(Index motion, const Line& line) const;
-    bool ask(Index motion, Line& line, LineProbe& probe) const;
+    bool ask(Index motion, Line& line, LineProbe& probe, RecentSweeps* recent) const;
     bool ask_turning(Index motion, Line& line, LineProbe& probe) const;
     double max_depth(const MotionTree::Node& node, const Vec3& p, double least) const;
     bool ask_depth(Index motion, const Vec3& p, DepthProbe& probe) const;

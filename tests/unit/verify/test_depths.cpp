@@ -1,6 +1,7 @@
 // How deep points come to lie inside a moving tool, against a search over poses that knows nothing but the
 // radius of the tool at a height.
 #include "core/setup/kinematics.h"
+#include "core/verify/motion_shadows.h"
 #include "core/verify/probes.h"
 #include "tests/support/part_meshes.h"
 #include "tests/support/test_runner.h"
@@ -84,7 +85,7 @@ private slots:
         std::mt19937 random(turning ? 11 : 3);
         std::uniform_real_distribution<double> share(-1, 1);
         constexpr double bound = 1e-3;
-        std::size_t inside = 0, left_out = 0, shortened = 0;
+        std::size_t inside = 0, left_out = 0, shortened = 0, shadowed = 0;
         for (const ShapedTool& shaped : tools_of_every_shape())
             for (int round = 0; round < trials(6); ++round) {
                 const CutterProfile cutter(shaped.tool.cutter());
@@ -100,6 +101,8 @@ private slots:
                     program, [](MotionKind) { return true; }, Progress());
                 const MotionProbes probes{TurnedBody(cutter), BodySupport(cutter), tree, bound};
                 const BodySupport body(cutter);
+                const MotionShadows shadows(probes, Progress());
+                RecentSweeps recent;
                 for (int k = 0; k < 40; ++k) {
                     const Vec3 p = 6 * Vec3(share(random), share(random), share(random));
                     double expected = 0;
@@ -132,6 +135,17 @@ private slots:
                             <= (turning ? 0.02 : 1e-7));
                     shortened += line.value < 1;
                     left_out += nearby.empty();
+                    // Nor whether those whose shadows a long line runs over.
+                    const double length = 8 + 4 * share(random);
+                    const Vec3 below = p - 4 * axis;
+                    LineProbe by_shadows{length, no_index}, by_tree{length, no_index};
+                    if (shadows.know(below, n, length)) {
+                        const bool lowered = shadows.lower(probes, below, n, by_shadows, recent);
+                        QCOMPARE(lowered, probes.lower(below, n, no_index, by_tree));
+                        QVERIFY(std::abs(std::max(by_shadows.value, 0.0) - std::max(by_tree.value, 0.0))
+                                <= 1e-7);
+                        shadowed += lowered && by_tree.value > 0;
+                    }
                     if (!deeper) continue;
                     // A hint changes nothing, and the first motion as deep is as deep.
                     DepthProbe hinted;
@@ -143,6 +157,7 @@ private slots:
         QVERIFY(inside > trials(std::size_t(100)));
         QVERIFY(left_out > trials(std::size_t(50)));
         QVERIFY(shortened > trials(std::size_t(50)));
+        QVERIFY(turning ? shadowed == 0 : shadowed > trials(std::size_t(100)));
     }
 
     /// A control may turn the axis on a great circle, along its ends' chord or joint by joint: the deepest of
