@@ -21,6 +21,50 @@ std::ptrdiff_t bytes_of(const RayTile& tile) {
     return std::ptrdiff_t(sizeof tile + tile.more.capacity() * sizeof(RayTile::Piece));
 }
 
+/// Between what an item may lie on a ray, from the middle of the stock.
+struct Bounds {
+    float low, high;
+};
+
+/// How far an upright tool that moves straight reaches along rays, by how far these are from its way: closer
+/// than its box, and without looking for where it is met.
+class UprightReach {
+public:
+    /// Along the axis of a family of rays.
+    UprightReach(const RemovalItem& item, const Vec3& middle, int axis) : axis_(axis) {
+        const Vec3& up = item.move.axis;
+        if (!(up.x() == 0 && up.y() == 0 && up.z() > 0)) return;
+        body_ = item.body;
+        // The rows of rays along x and z are apart in y, those of y in x.
+        const int beside = axis == 1 ? 0 : 1;
+        const Vec3 &a = item.move.from, &b = item.move.to;
+        from_ = std::min(a[beside], b[beside]);
+        to_ = std::max(a[beside], b[beside]);
+        low_ = std::min(a[axis], b[axis]) - middle[axis] - slack;
+        high_ = (axis == 2 ? item.box.hi[axis] : std::max(a[axis], b[axis])) - middle[axis] + slack;
+    }
+    bool is_known() const { return body_ != nullptr; }
+    /// For rays at x or y, whichever is across them and no height.
+    Bounds across(double place) const {
+        const double radius = body_->radius() + slack, off = std::max({0.0, place - to_, from_ - place});
+        if (off > radius) return {infinite, -infinite};
+        if (axis_ == 2) {
+            const double least = std::max(0.0, std::min(off, body_->radius()) - slack);
+            return {float(low_ + body_->along(Vec3(least, 0, 0), Vec3::UnitZ()).lo), float(high_)};
+        }
+        const double half = std::sqrt((radius - off) * (radius + off));
+        return {float(low_ - half), float(high_ + half)};
+    }
+
+private:
+    static constexpr double slack = 1e-6; ///< mm; above the rounding of coordinates
+    static constexpr float infinite = std::numeric_limits<float>::infinity();
+    const TurnedBody* body_ = nullptr;
+    int axis_;
+    double from_ = 0, to_ = 0;  ///< the tip, across
+    double low_ = 0, high_ = 0; ///< the tip along the rays; of those upward, `high_` is the body's top
+};
+
 /// One tile, and what items do to it one after the other.
 class TileCut {
 public:
@@ -48,19 +92,30 @@ public:
         rays_ = 0;
         low_ = float(item.box.lo[axis_] - middle_[axis_]);
         high_ = float(item.box.hi[axis_] - middle_[axis_]);
-        if (is_void(all_)) return touch_;
+        if (is_void(all_, {low_, high_})) return touch_;
         const auto [ib, ie] = rays_within(item.box, u_, i0_);
         const auto [jb, je] = rays_within(item.box, v_, j0_);
         Vec3 p = middle_;
         p[u_] = lattice_.origin[u_] + i0_ * lattice_.spacing[u_];
         p[v_] = lattice_.origin[v_] + j0_ * lattice_.spacing[v_];
+        const UprightReach reach(item, middle_, axis_);
+        set_bounds({low_, high_});
+        if (reach.is_known() && axis_ == 0)
+            for (int i = ib; i < ie; ++i)
+                set_bounds(i, reach.across(p[u_] + i * lattice_.spacing[u_]));
         const std::array<RowStrip, 2> strips{in_rays(swept.strips()[0], p), in_rays(swept.strips()[1], p)};
         for (int j = jb; j < je; ++j) {
-            if (is_void(row(j))) continue;
+            p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
+            if (reach.is_known() && axis_ != 0) {
+                const Bounds bounds = reach.across(p[v_]);
+                if (is_void(row(j), bounds)) continue;
+                set_bounds(bounds);
+            } else if (is_void(row(j), {low_, high_})) {
+                continue;
+            }
             int first = ib, last = ie - 1;
             for (const RowStrip& strip : strips)
                 strip.narrow(j, first, last);
-            p[v_] = lattice_.origin[v_] + (j0_ + j) * lattice_.spacing[v_];
             if (first <= last) apply_to_row(item, swept, first, last, j, p);
         }
         if (!all_.known) find_all();
@@ -114,8 +169,19 @@ private:
         float lo = -std::numeric_limits<float>::infinity(), hi = std::numeric_limits<float>::infinity();
         bool known = false; ///< false: to be found anew
     };
-    /// Whether the item's height holds no material in any of them.
-    bool is_void(const Void& common) const { return common.known && low_ >= common.lo && high_ <= common.hi; }
+    /// Whether what lies within the bounds is no material in any of them.
+    static bool is_void(const Void& common, const Bounds& within) {
+        return common.known && within.low >= common.lo && within.high <= common.hi;
+    }
+    /// Of all rays of a row, or of one.
+    void set_bounds(const Bounds& bounds) {
+        lane_low_.fill(bounds.low);
+        lane_high_.fill(bounds.high);
+    }
+    void set_bounds(int lane, const Bounds& bounds) {
+        lane_low_[std::size_t(lane)] = bounds.low;
+        lane_high_[std::size_t(lane)] = bounds.high;
+    }
     const Void& row(int j) {
         Void& common = rows_[std::size_t(j)];
         if (common.known) return common;
@@ -144,7 +210,8 @@ private:
         std::array<std::int32_t, RayTile::side> filled;
         for (int i = 0; i < RayTile::side; ++i) {
             const auto ray = std::size_t(row_start + i);
-            filled[std::size_t(i)] = int(low_ < void_lo_[ray]) | int(high_ > void_hi_[ray]);
+            const auto lane = std::size_t(i);
+            filled[lane] = int(lane_low_[lane] < void_lo_[ray]) | int(lane_high_[lane] > void_hi_[ray]);
         }
         while (first <= last && !filled[std::size_t(first)])
             ++first;
@@ -251,7 +318,8 @@ private:
     const StockLattice& lattice_;
     const Vec3& middle_;
     int axis_, u_, v_, i0_, j0_;
-    float low_ = 0, high_ = 0; ///< of the item, along the rays
+    float low_ = 0, high_ = 0;                              ///< of the item, along the rays
+    std::array<float, RayTile::side> lane_low_, lane_high_; ///< the same on each ray of a row
     bool changed_ = false, cut_ = false;
     double volume_ = 0;
     std::uint32_t rays_ = 0;
