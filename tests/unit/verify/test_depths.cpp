@@ -137,11 +137,13 @@ private slots:
                     left_out += nearby.empty();
                     // Nor whether those whose shadows a long line runs over.
                     const double length = 8 + 4 * share(random);
-                    const Vec3 below = p - 4 * axis;
+                    const Vec3 below = p - 4 * axis,
+                               aim = motions->motions[random() % motions->motions.size()].to.tip + 2 * axis,
+                               up = (aim - below).normalized();
                     LineProbe by_shadows{length, no_index}, by_tree{length, no_index};
-                    if (shadows.know(below, n, length)) {
-                        const bool lowered = shadows.lower(probes, below, n, by_shadows, recent);
-                        QCOMPARE(lowered, probes.lower(below, n, no_index, by_tree));
+                    if (shadows.know(below, up, length)) {
+                        const bool lowered = shadows.lower(probes, below, up, by_shadows, recent);
+                        QCOMPARE(lowered, probes.lower(below, up, no_index, by_tree));
                         QVERIFY(std::abs(std::max(by_shadows.value, 0.0) - std::max(by_tree.value, 0.0))
                                 <= 1e-7);
                         shadowed += lowered && by_tree.value > 0;
