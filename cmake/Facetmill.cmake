@@ -198,14 +198,41 @@ function(facetmill_moc_headers target folder)
     endforeach()
 endfunction()
 
-# facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] [ALL_CASES] SOURCES ...): a QtTest program whose
-# classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all rooms before it
-# or with ROOMS alone. Those without a label are the target unit_tests, and with FACETMILL_CHECKED each of them is linked
-# once more, with the rooms under sanitizers, as NAME_checked: the target checked_tests. Programs of higher cost are run
-# first, so that no processor idles while the longest one ends. ALL_CASES: it tries a part of its cases, and all of them in the
-# slow tests, as NAME_all_cases.
+# facetmill_test_classes(RESULT SOURCES ...): the classes that register themselves in these sources.
+function(facetmill_test_classes result)
+    set(classes "")
+    foreach(source IN LISTS ARGN)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+        file(STRINGS ${source} lines REGEX "^FACETMILL_TEST\\(")
+        foreach(line IN LISTS lines)
+            string(REGEX REPLACE "^FACETMILL_TEST\\(([A-Za-z0-9_]+)\\).*" "\\1" class "${line}")
+            list(APPEND classes ${class})
+        endforeach()
+    endforeach()
+    set(${result} ${classes} PARENT_SCOPE)
+endfunction()
+
+# facetmill_test_program(PROGRAM VARIANT room ...): a program for tests, with the rooms' VARIANT: "" or _checked.
+function(facetmill_test_program program variant)
+    # Rooms first: where both have an inlined function the linker takes that of the room, as it is compiled.
+    add_executable(${program})
+    facetmill_link_rooms_of("${variant}" ${program} ${ARGN})
+    target_link_libraries(${program} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
+    set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+    if(variant)
+        set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL TRUE FACETMILL_CHECKED TRUE)
+    endif()
+endfunction()
+
+# facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] [ALL_CASES] [CHECKED_APART] SOURCES ...): a
+# QtTest program whose classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all
+# rooms before it or with ROOMS alone. Those without a label are the target unit_tests, and with FACETMILL_CHECKED each of them is
+# run once more, as NAME_checked, with the rooms under sanitizers: by the program checked_tests, which has the classes of all of
+# them, since linking such rooms takes longest; CHECKED_APART: by one of its own, which that target brings along. Programs of higher
+# cost are run first, so that no processor idles while the longest one ends. ALL_CASES: it tries a part of its cases, and all of
+# them in the slow tests, as NAME_all_cases.
 function(facetmill_test name)
-    cmake_parse_arguments(ARG "ALL_CASES" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "ALL_CASES;CHECKED_APART" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
     if(ARG_ROOM)
         facetmill_rooms_up_to(ARG_ROOMS ${ARG_ROOM})
     endif()
@@ -223,22 +250,32 @@ function(facetmill_test name)
     target_compile_definitions(${name}_objects PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
     target_precompile_headers(${name}_objects REUSE_FROM facetmill_test_header)
 
-    set(checked "")
+    facetmill_test_program(${name} "" ${ARG_ROOMS})
+    set(tests ${name})
     if(FACETMILL_CHECKED AND NOT ARG_LABELS)
-        set(checked _checked)
+        list(APPEND tests ${name}_checked)
+        if(ARG_CHECKED_APART)
+            facetmill_test_program(${name}_checked _checked ${ARG_ROOMS})
+            add_dependencies(checked_tests ${name}_checked)
+        endif()
     endif()
-    foreach(variant IN ITEMS "" ${checked})
-        set(program ${name}${variant})
-        # Rooms first: where both have an inlined function the linker takes that of the room, as it is compiled.
-        add_executable(${program})
-        facetmill_link_rooms_of("${variant}" ${program} ${ARG_ROOMS})
+    foreach(test IN LISTS tests)
+        set(program ${test})
+        set(environment ${FACETMILL_TEST_ENVIRONMENT})
+        if(NOT TARGET ${test})
+            set(program checked_tests)
+            facetmill_test_classes(classes ${ARG_SOURCES})
+            list(JOIN classes "," classes)
+            list(APPEND environment FACETMILL_CLASSES=${classes})
+        endif()
         target_sources(${program} PRIVATE $<TARGET_OBJECTS:${name}_objects>)
-        target_link_libraries(${program} PRIVATE facetmill_test_support Qt6::Core Qt6::Test)
-        set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
-        add_test(NAME ${program} COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${program}>)
-        set_tests_properties(${program} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} LABELS "${ARG_LABELS}"
-            ENVIRONMENT "${FACETMILL_TEST_ENVIRONMENT}")
+        add_test(NAME ${test} COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${program}>)
+        set_tests_properties(${test} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} LABELS "${ARG_LABELS}"
+            ENVIRONMENT "${environment}")
     endforeach()
+    if(TEST ${name}_checked)
+        set_tests_properties(${name}_checked PROPERTIES LABELS checked)
+    endif()
     if(ARG_ALL_CASES)
         add_test(NAME ${name}_all_cases COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${name}>)
         set_tests_properties(${name}_all_cases PROPERTIES TIMEOUT 7200 LABELS slow
@@ -246,10 +283,5 @@ function(facetmill_test name)
     endif()
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests ${name})
-    endif()
-    if(checked)
-        set_target_properties(${name}_checked PROPERTIES EXCLUDE_FROM_ALL TRUE FACETMILL_CHECKED TRUE)
-        set_tests_properties(${name}_checked PROPERTIES LABELS checked)
-        add_dependencies(checked_tests ${name}_checked)
     endif()
 endfunction()

@@ -68,7 +68,7 @@ inline double brute_deviation(const Mesh& from, const Mesh& to) {
     return most;
 }
 
-inline bool same_mesh(const Mesh& a, const Mesh& b) {
+inline bool equal_meshes(const Mesh& a, const Mesh& b) {
     return a.facets == b.facets && a.vertices == b.vertices;
 }
 

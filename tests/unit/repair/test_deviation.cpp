@@ -11,7 +11,7 @@
 using namespace facetmill;
 using namespace facetmill::test;
 
-class TestDeviation : public QObject {
+class TestSurfaceDeviation : public QObject {
     Q_OBJECT
 private slots:
     void a_moved_sheet_is_as_far_as_it_moved() {
@@ -69,5 +69,5 @@ private slots:
     }
 };
 
-FACETMILL_TEST(TestDeviation)
+FACETMILL_TEST(TestSurfaceDeviation)
 #include "test_deviation.moc"

@@ -169,7 +169,7 @@ private slots:
         // And what is covered whole adds nothing.
         Joined twice(ball);
         twice.add(ball, 1);
-        QVERIFY(same_mesh(twice.mesh(), ball));
+        QVERIFY(equal_meshes(twice.mesh(), ball));
     }
 
     void a_patch_closes_a_hole_of_another_scan() {

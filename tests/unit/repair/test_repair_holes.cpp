@@ -161,7 +161,7 @@ private slots:
         const std::vector<RepairStep> recipe{one(Vec3(0, 19, 0), left), others};
         const Repaired second = run_recipe(std::make_shared<Mesh>(open), recipe, {}, {}, 1);
         QCOMPARE(second.steps.size(), std::size_t(1));
-        QVERIFY(same_mesh(*second.mesh, *left_open.mesh));
+        QVERIFY(equal_meshes(*second.mesh, *left_open.mesh));
         // Where none is, none is filled; a step for all cannot leave them.
         QCOMPARE(repaired(open, {one(Vec3(0, 0, 19), flat)}).steps[0].count("not_found"), std::size_t(1));
         RepairStep wrong = others;
@@ -174,7 +174,7 @@ private slots:
             grid_mesh(6, 6, false, false, 0.2, [](double a, double b) { return Vec3(10 * a, 10 * b, 1.0); });
         const Repaired r = repaired(sheet, {holes_up_to(0)});
         QCOMPARE(r.steps[0].count("left_without_fit"), std::size_t(1));
-        QVERIFY(same_mesh(*r.mesh, sheet));
+        QVERIFY(equal_meshes(*r.mesh, sheet));
     }
 
     void random_dirty_scans_become_whole() {
@@ -297,7 +297,7 @@ private slots:
         set_thread_count(4);
         const Repaired four = repaired(scan.mesh, recipe);
         set_thread_count(0);
-        QVERIFY(same_mesh(*one.mesh, *four.mesh));
+        QVERIFY(equal_meshes(*one.mesh, *four.mesh));
         for (std::size_t i = 0; i < recipe.size(); ++i)
             QCOMPARE(one.steps[i].displacement, four.steps[i].displacement);
         const auto mesh = std::make_shared<Mesh>(scan.mesh);

@@ -78,7 +78,7 @@ private slots:
     void a_clean_cube_is_left_to_the_last_bit() {
         const Mesh cube = gridded_cube(6, 20);
         const Repaired r = repaired(cube, {bounded(Kind::smooth, 0.5)});
-        QVERIFY(same_mesh(*r.mesh, cube));
+        QVERIFY(equal_meshes(*r.mesh, cube));
         QCOMPARE(r.steps[0].displacement, 0.0);
     }
 
@@ -193,7 +193,7 @@ private slots:
         QVERIFY(brute_deviation(*r.mesh, mesh) <= r.steps[0].displacement + 1e-9);
         // Nothing to do: nothing done.
         const Repaired none = repaired(scan.mesh, {bounded(Kind::needles, 0.05)});
-        QVERIFY(same_mesh(*none.mesh, scan.mesh));
+        QVERIFY(equal_meshes(*none.mesh, scan.mesh));
     }
 
     void a_cut_cube_has_the_volume_below_the_plane() {
@@ -213,7 +213,7 @@ private slots:
             QVERIFY(!report_of_mesh(*repaired(cube, {plane(c.normal, c.offset, false)}).mesh).watertight);
         }
         const Repaired beside = repaired(cube, {plane({0, 0, 1}, 10)});
-        QVERIFY(same_mesh(*beside.mesh, cube));
+        QVERIFY(equal_meshes(*beside.mesh, cube));
     }
 
     void a_cut_tube_has_a_ring_for_its_section() {
@@ -263,16 +263,16 @@ private slots:
         mesh.facets.push_back({other[2], other[0], at[0]});
         RepairStep step{.kind = Kind::fins};
         step.size = 0.1;
-        QVERIFY(same_mesh(*repaired(mesh, {step}).mesh, mesh)); // they are larger
+        QVERIFY(equal_meshes(*repaired(mesh, {step}).mesh, mesh)); // they are larger
         step.size = 30;
         const Repaired r = repaired(mesh, {step});
         QCOMPARE(r.steps[0].count("facets_removed"), std::size_t(3));
-        QVERIFY(same_mesh(*r.mesh, ball));
-        QVERIFY(same_mesh(*repaired(ball, {step}).mesh, ball));
+        QVERIFY(equal_meshes(*r.mesh, ball));
+        QVERIFY(equal_meshes(*repaired(ball, {step}).mesh, ball));
         // A sheet that ends in the open and hangs on nothing is no fin.
         const Mesh sheet =
             grid_mesh(3, 3, false, false, 0.2, [](double a, double b) { return Vec3(a, b, 0); });
-        QVERIFY(same_mesh(*repaired(sheet, {step}).mesh, sheet));
+        QVERIFY(equal_meshes(*repaired(sheet, {step}).mesh, sheet));
     }
 
     void spheres_that_cross_are_found() {
