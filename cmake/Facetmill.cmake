@@ -230,7 +230,7 @@ endfunction()
 # run once more, as NAME_checked, with the rooms under sanitizers: by the program checked_tests, which has the classes of all of
 # them, since linking such rooms takes longest; CHECKED_APART: by one of its own, which that target brings along. Programs of higher
 # cost are run first, so that no processor idles while the longest one ends. ALL_CASES: it tries a part of its cases, and all of
-# them in the slow tests, as NAME_all_cases.
+# them in the slow tests, as NAME_all_cases. Those that are labelled slow are built where benchmarks are.
 function(facetmill_test name)
     cmake_parse_arguments(ARG "ALL_CASES;CHECKED_APART" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
     if(ARG_ROOM)
@@ -283,5 +283,7 @@ function(facetmill_test name)
     endif()
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests ${name})
+    elseif("slow" IN_LIST ARG_LABELS AND NOT FACETMILL_BENCH_IN_ALL)
+        set_target_properties(${name} ${name}_objects PROPERTIES EXCLUDE_FROM_ALL TRUE)
     endif()
 endfunction()
