@@ -89,6 +89,7 @@ private:
     CutterProfile profile_;
     CutterCover cover_;
     AxialLift lift_, near_;
+    WallFeet walls_;
     DriveFrame frame_;
     std::optional<ContactDomain> domain_;
     LineTolerance fine_;
@@ -107,6 +108,7 @@ Planner::Planner(const Finish3Settings& settings, const PlanContext& context, co
       chord_(chord_budget(settings.chord_tolerance, cusp_allowed_)), profile_(context.tool.cutter()),
       cover_(profile_, cusp_detail(cusp_allowed_)), lift_(context.contact, profile_, allowance_),
       near_(context.contact, profile_, allowance_ + cusp_allowed_),
+      walls_(*context.part, profile_.max_radius() + allowance_ + cusp_allowed_, progress.part(0, 0)),
       filter_(settings, context, profile_,
               {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
               contact_at()) {
@@ -150,7 +152,7 @@ PlannedPasses Planner::run(double direction, bool judged) {
                         + std::to_string(context_.part->facet_count()) + " stand upright or have no area",
                     "rotate the part");
     stepover_.emplace(input_for(direction, *domain_));
-    maker_.emplace(*stepover_, LiftField{&lift_, domain_->lowest_tip()}, near_, cover_, frame_, fine_,
+    maker_.emplace(*stepover_, LiftField{&lift_, domain_->lowest_tip()}, near_, walls_, cover_, frame_, fine_,
                    settings_.normal_limit);
     check_size(*stepover_);
 

@@ -29,7 +29,8 @@ std::vector<std::vector<LinePoint>> PassMaker::beside_part(std::vector<LinePoint
         if (field_.lift->contact(xy.x(), xy.y(), hint).facet != no_index) return true;
         const AxialContact edge = near_.contact(xy.x(), xy.y(), near_hint);
         if (edge.facet == no_index) return false;
-        p.z = std::max(field_.floor, edge.point.z() - cover_.shoulder());
+        const double foot = std::min(edge.point.z(), walls_.lowest(xy));
+        p.z = std::max(field_.floor, foot - cover_.shoulder());
         return true;
     };
     const auto end_of_run = [&](LinePoint on, LinePoint beside) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/strategy/finish3/partial_lines.h"
+#include "core/strategy/finish3/wall_feet.h"
 
 namespace facetmill {
 
@@ -10,11 +11,11 @@ public:
     /// `near`: the lift of the cutter grown by the cusp that may stay: what it does not meet is not cut from
     /// there. `tolerance`: of the tips' path; `normal_limit` (radians): the most that the surface's normal
     /// turns from contact to contact. What is given has to live as long as this; `field` has no bodies.
-    PassMaker(const StepOver& stepover, const LiftField& field, const AxialLift& near,
+    PassMaker(const StepOver& stepover, const LiftField& field, const AxialLift& near, const WallFeet& walls,
               const CutterCover& cover, const DriveFrame& frame, const LineTolerance& tolerance,
               double normal_limit)
-        : stepover_(stepover), field_(field), near_(near), cover_(cover), frame_(frame), fine_(tolerance),
-          normal_limit_(normal_limit) {}
+        : stepover_(stepover), field_(field), near_(near), walls_(walls), cover_(cover), frame_(frame),
+          fine_(tolerance), normal_limit_(normal_limit) {}
 
     /// One for each piece of the domain, in order, from smaller to larger u, without what reaches nothing: a
     /// line serves the places beside it too, so it may go on beyond the part, past the edge of an overhang
@@ -28,13 +29,14 @@ public:
 private:
     CutterContact contact_of(const Vec3& tip, const AxialContact& contact) const;
     /// The runs of a line's points that the part is within reach of. Beside it the tool goes down to where
-    /// its side is as deep as the part's edge, and no farther.
+    /// its side is as deep as the part's edge or, along an upright wall, the wall's foot, and no farther.
     std::vector<std::vector<LinePoint>> beside_part(std::vector<LinePoint> points, double v) const;
     Pass pass(const std::vector<LinePoint>& points, double v, const Progress& progress) const;
 
     const StepOver& stepover_;
     LiftField field_;
     const AxialLift& near_;
+    const WallFeet& walls_;
     const CutterCover& cover_;
     DriveFrame frame_;
     LineTolerance fine_;

@@ -60,6 +60,21 @@ private slots:
         }
     }
 
+    /// Along an upright wall the tool goes down to the wall's foot, and clears it with its side.
+    void passes_go_down_along_upright_walls() {
+        Mesh part = box(Vec3(-20, -15, 0), Vec3(20, 15, 8));
+        for (Vec3& p : part.vertices)
+            if (p.z() > 4) p.z() = 70 + 3 * p.x(); // so steep that the lines reach past the low wall
+        part = turned(part, 0.3);
+        Finish3Settings s;
+        s.tolerance = 0.05;
+        double lowest = infinity;
+        for (const Pass& p : planned(part, s).passes)
+            for (const CutterLocation& c : p.cl)
+                lowest = std::min(lowest, c.tip.z());
+        QVERIFY2(std::abs(lowest) < 1e-9, std::to_string(lowest).c_str());
+    }
+
     void it_is_registered() {
         const auto& kinds = operation_kinds();
         QVERIFY(
