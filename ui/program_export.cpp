@@ -48,14 +48,14 @@ void ProgramExport::ask_folder(std::optional<std::size_t> only) {
     const auto plan = document_.complete_plan(only);
     const Project& project = document_.project();
     QStringList files, endings{text(apt_writer().extension)};
-    for (std::size_t i = 0; i < plan->operations.size(); ++i)
-        files << text(program_file_name(project, *plan, i));
-    files << QStringLiteral("report.json");
     try {
+        for (const std::string& name : plan_file_names(project, *plan))
+            files << text(name);
         if (const std::string& post = project.programs.post; !post.empty())
             endings << text(project_post(project, post).extension);
-    } catch (const Error&) {
-        // A post that cannot be read is told when the programs are written.
+    } catch (const Error& e) { // a post that cannot be read
+        messages_.fail(worded(e));
+        return;
     }
     auto* dialog = new ExportDialog(settings::last_folder(), files, endings, window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

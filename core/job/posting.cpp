@@ -238,8 +238,7 @@ std::vector<PostedFile> post_plan(const Project& project, const PlanResult& resu
         return files;
     }
     for (std::size_t i = 0; i < n; ++i) {
-        const std::string name =
-            fs::path(program_file_name(project, result, i)).stem().string() + post.extension;
+        const std::string name = posted_file_name(project, result, i, post.extension);
         files.push_back(post_programs(project, result, post, setup, name, {i},
                                       progress.part(double(i) / double(n), double(i + 1) / double(n))));
         ++setup.program_number;

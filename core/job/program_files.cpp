@@ -80,6 +80,29 @@ std::string program_file_name(const Project& project, const PlanResult& result, 
                              result.operations[program]->name);
 }
 
+std::string posted_file_name(const Project& project, const PlanResult& result, std::size_t program,
+                             const std::string& extension) {
+    return file_stem(place_in_project(project, result, program) + 1, result.operations[program]->name)
+           + extension;
+}
+
+std::vector<std::string> plan_file_names(const Project& project, const PlanResult& result) {
+    std::vector<std::string> names;
+    const std::size_t n = result.operations.size();
+    if (!project.programs.post.empty()) {
+        const std::string extension = project_post(project, project.programs.post).extension;
+        if (project.programs.files == ProgramSpec::Files::one)
+            names.push_back(joined_program_name(project, extension));
+        else
+            for (std::size_t i = 0; i < n; ++i)
+                names.push_back(posted_file_name(project, result, i, extension));
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        names.push_back(program_file_name(project, result, i));
+    names.emplace_back(report_file_name);
+    return names;
+}
+
 std::string joined_program_name(const Project& project, const std::string& extension) {
     std::string stem = program_stem(fs::path(project.part.file).stem().string());
     if (setup_count(project) > 1)

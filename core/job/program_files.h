@@ -19,6 +19,14 @@ std::string program_file_name(std::size_t place, const std::string& operation_na
 /// The same for a program of a plan.
 std::string program_file_name(const Project& project, const PlanResult& result, std::size_t program);
 
+/// The posted program of one program of a plan.
+std::string posted_file_name(const Project& project, const PlanResult& result, std::size_t program,
+                             const std::string& extension);
+
+/// What write_plan writes for certain: the posted programs, the APT file of each program, the report. Throws
+/// what project_post does.
+std::vector<std::string> plan_file_names(const Project& project, const PlanResult& result);
+
 /// A name in which '-' stands for what file systems or shells might stumble over, and "operation" for none.
 std::string program_stem(const std::string& name);
 

@@ -1,5 +1,6 @@
 // Verification and playback in the window: F6 to the badges, what makes them stale, and a stock that is cut
 // while one watches.
+#include "core/job/program_files.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/camera_flight.h"
 #include "ui/first_steps.h"
@@ -9,6 +10,7 @@
 #include "ui/playback_bar.h"
 #include "ui/project_tree.h"
 #include "ui/report_view.h"
+#include "ui/text.h"
 #include "ui/verification_controller.h"
 #include "ui/verification_panel.h"
 #include "ui/viewport.h"
@@ -517,6 +519,40 @@ private slots:
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().startsWith(QStringLiteral("Wrote 2 file")));
         QVERIFY(!w().message_bar().message().contains(QStringLiteral("verif")));
+    }
+
+    /// Those of the control first: the machine runs them.
+    void the_dialog_names_all_that_is_written() {
+        QVERIFY(open_and_plan());
+        for (const auto files : {ProgramSpec::Files::each, ProgramSpec::Files::one}) {
+            w().document().change(QStringLiteral("Control"), [&](Project& p) {
+                p.programs.post = "linuxcnc";
+                p.programs.files = files;
+            });
+            QVERIFY(verify());
+            const QString folder = scratch_folder(QStringLiteral("named"));
+            action(w(), "export")->trigger();
+            auto* line = w().findChild<QLineEdit*>(QStringLiteral("export_folder"));
+            QVERIFY(line);
+            QString told;
+            QStringList named;
+            for (auto* label : line->window()->findChildren<QLabel*>())
+                if (label->text().startsWith(QStringLiteral("The programs and their report"))) {
+                    told = label->text();
+                    named = label->toolTip().split(QChar('\n'));
+                }
+            const QString own = files == ProgramSpec::Files::one
+                                    ? ui::text(joined_program_name(w().document().project(), ".ngc"))
+                                    : QStringLiteral("01-Finish.ngc");
+            QVERIFY2(told.contains(own + QStringLiteral(", 01-Finish.apt")), qPrintable(told));
+            line->selectAll();
+            QTest::keyClicks(line, folder);
+            QTest::keyClick(line, Qt::Key_Return);
+            QVERIFY(wait_until_settled(w()));
+            named.sort();
+            QCOMPARE(named, QDir(folder).entryList(QDir::Files, QDir::Name));
+            QTRY_VERIFY(!w().findChild<QLineEdit*>(QStringLiteral("export_folder")));
+        }
     }
 
     /// Into the folder that is typed, which need not be there, and not into the one above it.
