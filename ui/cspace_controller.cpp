@@ -7,6 +7,7 @@
 #include "ui/cspace_words.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/worded.h"
@@ -350,19 +351,24 @@ bool CSpaceController::busy() const {
     return studies_->job().running() || (panel_->isVisible() && !panel_->view()->finished());
 }
 
-bool CSpaceController::save_picture(const QString& path) {
-    if (!shown_) return false;
+void CSpaceController::save_picture(const QString& path) {
+    if (!shown_) return;
     CSpaceScene& scene = panel_->view()->scene();
     const std::string free = free_text(*scene.content());
     scene.set_title(utf8(heading()), free);
-    const QImage picture = panel_->view()->export_picture(cspace_picture_size);
+    QImage picture = panel_->view()->export_picture(cspace_picture_size);
     scene.set_title({}, free);
-    return report_written(path, write_picture(document_, path, picture));
+    write_file(
+        *this, document_, path, [picture = std::move(picture)] { return png_bytes(picture); },
+        [this, path](const QString& wrong) { report_written(path, wrong); });
 }
 
-bool CSpaceController::save_table(const QString& path) {
-    if (!shown_ || !studies_->study()) return false;
-    return report_written(path, write_table(document_, path, cspace_csv(*shown_, document_.unit())));
+void CSpaceController::save_table(const QString& path) {
+    if (!shown_ || !studies_->study()) return;
+    write_file(
+        *this, document_, path,
+        [point = shown_, unit = document_.unit()] { return cspace_csv(*point, unit); },
+        [this, path](const QString& wrong) { report_written(path, wrong); });
 }
 
 QString CSpaceController::export_name() const {

@@ -50,8 +50,9 @@ public:
     /// The posture kept for the point by the operation as it stands, planned with it or not.
     std::optional<ManualPosture> kept() const;
 
-    bool save_picture(const QString& path);
-    bool save_table(const QString& path);
+    /// Written aside; what comes of it is told in the window.
+    void save_picture(const QString& path);
+    void save_table(const QString& path);
     /// Arrow keys, while it is seen.
     bool take_key(const QKeyEvent& event) override;
     void project_changed() override;

@@ -5,9 +5,7 @@
 #include "ui/document.h"
 #include "ui/settings.h"
 #include "ui/text.h"
-#include "ui/worded.h"
 
-#include <QBuffer>
 #include <QFileDialog>
 #include <QObject>
 
@@ -43,42 +41,29 @@ QString ask(QWidget* window, const QString& title, ExportFormat format, QString 
 
 } // namespace
 
+static void keep_program_files(const OpenedProgram* program, const std::filesystem::path& output) {
+    if (!program) return;
+    for (const std::filesystem::path& file : program->files)
+        refuse_to_overwrite(file, output);
+}
+
+void keep_files(const Project& project, const OpenedProgram* program, const std::filesystem::path& output) {
+    keep_inputs(project, output);
+    keep_program_files(program, output);
+}
+
 void keep_files(const Document& document, const std::filesystem::path& output) {
-    keep_inputs(document.project(), output);
-    keep_program(document, output);
+    keep_files(document.project(), document.program().get(), output);
 }
 
 void keep_program(const Document& document, const std::filesystem::path& output) {
-    if (const auto& program = document.program())
-        for (const std::filesystem::path& file : program->files)
-            refuse_to_overwrite(file, output);
+    keep_program_files(document.program().get(), output);
 }
 
 void export_file(QWidget* window, const QString& title, ExportFormat format, const QString& name,
                  const std::function<void(const QString& path)>& write) {
     const QString path = ask(window, title, format, name);
     if (!path.isEmpty()) write(path);
-}
-
-QString write_picture(const Document& document, const QString& path, const QImage& picture) {
-    // In memory first: Qt's writer of pictures does not say that the disk was full.
-    QByteArray png;
-    QBuffer buffer(&png);
-    if (picture.isNull() || !buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
-        return QObject::tr("%1: there is no picture to write").arg(path);
-    return write_table(document, path, {png.constData(), std::size_t(png.size())});
-}
-
-QString write_table(const Document& document, const QString& path, std::string_view lines) {
-    try {
-        keep_files(document, path_of(path));
-        OutputFile file(path_of(path));
-        file.write(lines);
-        file.commit();
-    } catch (const Error& e) {
-        return worded(e);
-    }
-    return {};
 }
 
 } // namespace facetmill::ui

@@ -2,21 +2,25 @@
 // document was read from.
 #pragma once
 
-#include <QImage>
 #include <QString>
 
 #include <filesystem>
 #include <functional>
-#include <string_view>
 
 class QWidget;
+
+namespace facetmill {
+struct OpenedProgram;
+struct Project;
+} // namespace facetmill
 
 namespace facetmill::ui {
 
 class Document;
 
 /// Throws Error(unwritable) where `output` is the project's file, one that the project names or one of the
-/// program that is shown, by whatever name.
+/// program that is shown, by whatever name. `program` may be null.
+void keep_files(const Project& project, const OpenedProgram* program, const std::filesystem::path& output);
 void keep_files(const Document& document, const std::filesystem::path& output);
 /// The same for the program alone: a project may be saved over itself.
 void keep_program(const Document& document, const std::filesystem::path& output);
@@ -28,9 +32,5 @@ enum class ExportFormat { picture, table, web_page, mesh, deviation };
 /// user gives up.
 void export_file(QWidget* window, const QString& title, ExportFormat format, const QString& name,
                  const std::function<void(const QString& path)>& write);
-
-/// What went wrong, for the user; empty: the file is written.
-[[nodiscard]] QString write_picture(const Document& document, const QString& path, const QImage& picture);
-[[nodiscard]] QString write_table(const Document& document, const QString& path, std::string_view lines);
 
 } // namespace facetmill::ui

@@ -4,6 +4,7 @@
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "ui/elided_label.h"
 #include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/inspection_panel.h"
 #include "ui/layer_bar.h"
 #include "ui/plot_view.h"
@@ -244,15 +245,19 @@ QString InspectionController::export_name() const {
            + (chart() == Chart::stepover ? QStringLiteral("-stepover") : QStringLiteral("-axes"));
 }
 
-bool InspectionController::save_picture(const QString& path) {
-    if (panel_->plot()->empty()) return false;
-    return report_written(path,
-                          write_picture(document_, path, panel_->plot()->picture(inspection_picture_size)));
+void InspectionController::save_picture(const QString& path) {
+    if (panel_->plot()->empty()) return;
+    write_file(
+        *this, document_, path,
+        [picture = panel_->plot()->picture(inspection_picture_size)] { return png_bytes(picture); },
+        [this, path](const QString& wrong) { report_written(path, wrong); });
 }
 
-bool InspectionController::save_table(const QString& path) {
-    if (panel_->plot()->empty()) return false;
-    return report_written(path, write_table(document_, path, chart_.table()));
+void InspectionController::save_table(const QString& path) {
+    if (panel_->plot()->empty()) return;
+    write_file(
+        *this, document_, path, [chart = chart_] { return chart.table(); },
+        [this, path](const QString& wrong) { report_written(path, wrong); });
 }
 
 } // namespace facetmill::ui

@@ -37,8 +37,9 @@ public:
     Chart chart() const;
     /// Name for files: "Finish5-axes", "Finish5-stepover".
     QString export_name() const;
-    bool save_picture(const QString& path);
-    bool save_table(const QString& path);
+    /// Written aside; what comes of it is told in the window.
+    void save_picture(const QString& path);
+    void save_table(const QString& path);
 
 signals:
     /// The tool is wanted at the end of this motion.

@@ -7,6 +7,7 @@
 #include "core/output/apt.h"
 #include "ui/export.h"
 #include "ui/export_dialog.h"
+#include "ui/file_writing.h"
 #include "ui/language.h"
 #include "ui/mesh_export.h"
 #include "ui/messages.h"
@@ -237,13 +238,14 @@ void ProgramExport::picture_with_dialog() {
                 std::bind_front(&ProgramExport::save_picture, this));
 }
 
-bool ProgramExport::save_picture(const QString& path) {
-    if (const QString wrong = write_picture(document_, path, viewport_.full_picture()); !wrong.isEmpty()) {
-        messages_.fail(wrong);
-        return false;
-    }
-    messages_.information(tr("Wrote %1.").arg(path), false);
-    return true;
+void ProgramExport::save_picture(const QString& path) {
+    write_file(
+        *this, document_, path, [picture = viewport_.full_picture()] { return png_bytes(picture); },
+        [this, path](const QString& wrong) {
+            if (!wrong.isEmpty()) return messages_.fail(wrong);
+            messages_.succeeded();
+            messages_.information(tr("Wrote %1.").arg(path), false);
+        });
 }
 
 } // namespace facetmill::ui

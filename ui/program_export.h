@@ -32,7 +32,8 @@ public:
     void save_sheet(const QString& path);
     MeshExport& meshes() { return *meshes_; }
     void picture_with_dialog();
-    bool save_picture(const QString& path);
+    /// Written aside; what comes of it is told in the window.
+    void save_picture(const QString& path);
 
 signals:
     /// The user would rather verify first.

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/settings.h"
 #include "ui/study_adoption.h"
 #include "ui/study_chart.h"
@@ -110,7 +111,7 @@ void StudyController::project_opened() {
 }
 
 void StudyController::new_study() {
-    if (running_) return;
+    if (running_ || writing_) return;
     job_.cancel();
     slurm_.stop();
     handed_.clear();
@@ -139,7 +140,7 @@ void StudyController::ask_for_study() {
 }
 
 void StudyController::open_study(const QString& path) {
-    if (running_) return;
+    if (running_ || writing_) return;
     (void)dialog();
     const fs::path named = path_of(path);
     std::error_code ec;
@@ -172,36 +173,52 @@ void StudyController::open_study(const QString& path) {
     refresh();
 }
 
-/// The study's file from the form, beside the project. False where that does not work.
-bool StudyController::write_file() {
+/// The study's file from the form, beside the project; then the study begins.
+void StudyController::write_study() {
     if (document_.project().path.empty() || document_.modified()) emit save_wanted();
-    if (document_.project().path.empty() || document_.modified()) {
+    const fs::path project = document_.project().path;
+    if (project.empty() || document_.modified()) {
         problem_ = tr("A study works on the project as it is saved: save it first.");
-        return false;
+        return refresh();
     }
+    std::string content;
     try {
-        const fs::path project = document_.project().path;
-        const std::string content = dialog_->form()->draft().json(project.filename().string());
-        const fs::path file = free_study_file(project, content);
-        OutputFile out(file);
-        out.write(content);
-        out.commit();
-        source_ = {};
-        source_.file = file;
+        content = dialog_->form()->draft().json(project.filename().string());
     } catch (const Error& e) {
         problem_ = sentence(worded(e));
-        return false;
+        return refresh();
     }
-    dialog_->show_title(path_text(source_.file.filename()), path_text(source_.file));
-    return true;
+    writing_ = true;
+    refresh();
+    const auto file = std::make_shared<fs::path>();
+    FileWriting::own().start(
+        *this,
+        [project, file, content] {
+            *file = free_study_file(project, content);
+            OutputFile out(*file);
+            out.write(content);
+            out.commit();
+        },
+        [this, file](const QString& wrong) {
+            writing_ = false;
+            problem_ = sentence(wrong);
+            if (!wrong.isEmpty()) return refresh();
+            source_ = {};
+            source_.file = *file;
+            dialog_->show_title(path_text(file->filename()), path_text(*file));
+            begin();
+        });
 }
 
 void StudyController::start() {
-    if (job_.running()) return;
+    if (job_.running() || writing_) return;
     problem_ = dialog()->place()->problem();
     if (!problem_.isEmpty()) return refresh();
     const bool asked_here = source_.file.empty() && source_.folder.empty();
-    if (asked_here && !write_file()) return refresh();
+    asked_here ? write_study() : begin();
+}
+
+void StudyController::begin() {
     const StudyPlace place = dialog_->place()->place();
     if (place.where == StudyPlace::Where::slurm)
         run_on_slurm(!folder_, place);
@@ -335,11 +352,11 @@ void StudyController::refresh() {
     const bool adoptable = chosen && look_ && why_not_adopted(*look_, *chosen).isEmpty();
     const bool at_work = running_ || !handed_.isEmpty();
     const bool ready = asks ? document_.has_part() && wrong.isEmpty() : missing;
-    dialog_->show_can({.start = ready && !job_.running() && !at_work,
+    dialog_->show_can({.start = ready && !job_.running() && !at_work && !writing_,
                        .stop = at_work && !(running_ && job_.cancelling()),
                        .adopt = adoptable,
                        .save = look_ != nullptr,
-                       .renew = !at_work && document_.has_part() && !asks,
+                       .renew = !at_work && !writing_ && document_.has_part() && !asks,
                        .start_text = look_ ? tr("&Resume") : tr("&Start")});
     if (asks && document_.has_part())
         dialog_->form()->show_estimate(
@@ -378,16 +395,21 @@ void StudyController::adopt(std::size_t candidate) {
 void StudyController::export_table() {
     if (!look_) return;
     export_file(dialog_, tr("Export table"), ExportFormat::table, tr("study"), [this](const QString& path) {
-        report_written(path, write_table(document_, path, study_csv(*look_->folder, look_->outcome)));
+        write_file(
+            *this, document_, path, [look = look_] { return study_csv(*look->folder, look->outcome); },
+            [this, path](const QString& wrong) { report_written(path, wrong); });
     });
 }
 
 void StudyController::export_picture() {
     if (!look_) return;
-    export_file(
-        dialog_, tr("Export picture"), ExportFormat::picture, tr("study"), [this](const QString& path) {
-            report_written(path, write_picture(document_, path, dialog_->picture()->picture(picture_size)));
-        });
+    export_file(dialog_, tr("Export picture"), ExportFormat::picture, tr("study"),
+                [this](const QString& path) {
+                    write_file(
+                        *this, document_, path,
+                        [picture = dialog_->picture()->picture(picture_size)] { return png_bytes(picture); },
+                        [this, path](const QString& wrong) { report_written(path, wrong); });
+                });
 }
 
 } // namespace facetmill::ui

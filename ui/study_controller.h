@@ -59,7 +59,8 @@ private:
     void connect_dialog();
     void new_study();
     void ask_for_study();
-    bool write_file();
+    void write_study();
+    void begin();
     void run(bool make, const StudyPlace& place);
     void run_on_slurm(bool make, const StudyPlace& place);
     void end(StudyLookPtr look, const JobEnd& end);
@@ -79,6 +80,7 @@ private:
     Source source_;
     std::shared_ptr<const StudyFolder> folder_;
     StudyLookPtr look_;
+    bool writing_ = false; ///< the file of the study that was asked for
     std::shared_ptr<StudyNews> news_;
     std::string drafted_; ///< the project that the form was made from
     QString problem_;     ///< why the last thing did not work

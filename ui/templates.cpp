@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/job/job_template.h"
+#include "ui/file_writing.h"
 #include "ui/icons.h"
 #include "ui/messages.h"
 #include "ui/own_folders.h"
@@ -103,13 +104,23 @@ void Templates::save(const QString& name) {
         throw Error(ErrorCode::out_of_range, "name", "no file can be called so",
                     "write a name without slashes");
     const std::string kept = template_text(document_.project());
-    std::error_code failed;
-    std::filesystem::create_directories(own_template_folder(), failed);
-    OutputFile file(file_of(name));
-    file.write(kept);
-    file.commit();
-    messages_.information(tr("Kept as template “%1”: %2.")
-                              .arg(elided(name, shown_template), worded(template_summary(kept, utf8(name)))));
+    const std::filesystem::path target = file_of(name);
+    FileWriting::own().start(
+        *this,
+        [kept, target] {
+            std::error_code failed; // the file says it
+            std::filesystem::create_directories(target.parent_path(), failed);
+            OutputFile file(target);
+            file.write(kept);
+            file.commit();
+        },
+        [this, kept, name](const QString& wrong) {
+            if (!wrong.isEmpty())
+                return messages_.fail(tr("The template was not kept. %1").arg(sentence(wrong)));
+            messages_.information(
+                tr("Kept as template “%1”: %2.")
+                    .arg(elided(name, shown_template), worded(template_summary(kept, utf8(name)))));
+        });
 }
 
 void Templates::apply(const std::filesystem::path& file) {

@@ -24,7 +24,8 @@ public:
     QMenu* menu() { return menu_; }
     /// Asks for a name, and before it writes over a template.
     void save_with_dialog();
-    /// Keeps the shown setup under a name that a file may have. Throws Error(unwritable, out_of_range).
+    /// Keeps the shown setup, as it is now, under a name that a file may have; what comes of it is told in
+    /// the window. Throws Error(out_of_range) for another name.
     void save(const QString& name);
     /// As one step of the history; what does not fit is told.
     void apply(const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #include "ui/tool_library_dialog.h"
 
 #include "core/base/file.h"
+#include "ui/file_writing.h"
 #include "ui/icons.h"
 #include "ui/own_folders.h"
 #include "ui/text.h"
@@ -19,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <memory>
 
 namespace facetmill::ui {
 
@@ -46,6 +48,13 @@ private:
 
 QString counted(std::size_t tools) {
     return ToolLibraryDialog::tr("%1 tools", nullptr, int(tools)).arg(tools);
+}
+
+QStringList worded_lines(const std::vector<std::string>& lines) {
+    QStringList all;
+    for (const std::string& line : lines)
+        all << worded(line);
+    return all;
 }
 
 /// The materials that a tool has feeds for.
@@ -154,7 +163,7 @@ void ToolLibraryDialog::read_folder() {
         for (const LibraryTool& tool : kept.library.tools)
             entries_.push_back({tool, path_text(kept.file.stem())});
     }
-    if (!trouble.empty()) tell(tr("Some libraries cannot be read"), trouble);
+    if (!trouble.empty()) tell(tr("Some libraries cannot be read"), worded_lines(trouble));
     show_tools();
 }
 
@@ -200,14 +209,11 @@ void ToolLibraryDialog::show_tools() {
     update_buttons();
 }
 
-void ToolLibraryDialog::tell(const QString& title, const std::vector<std::string>& lines) {
-    QStringList all;
-    for (const std::string& line : lines)
-        all << worded(line);
+void ToolLibraryDialog::tell(const QString& title, const QStringList& lines) {
     title_->setText(title);
     title_->setVisible(true);
-    remarks_->setPlainText(all.join(QChar('\n')));
-    remarks_->setVisible(!all.isEmpty());
+    remarks_->setPlainText(lines.join(QChar('\n')));
+    remarks_->setVisible(!lines.isEmpty());
 }
 
 std::vector<LibraryTool> ToolLibraryDialog::shown(bool only_chosen) const {
@@ -227,41 +233,54 @@ void ToolLibraryDialog::update_buttons() {
 }
 
 void ToolLibraryDialog::import_file(const QString& path) {
-    try {
-        const ReadLibrary read = load_library(path_of(path), document_.unit());
-        const auto place = keep_library(read.library, folder_, path_of(path).stem().string());
-        read_folder();
-        const QString holders =
-            read.library.holders.empty()
-                ? QString()
-                : tr(", holders for the dialog of a tool: %1").arg(read.library.holders.size());
-        tell(tr("%1 kept as “%2”").arg(counted(read.library.tools.size()), path_text(place.stem())) + holders
-                 + (read.remarks.empty() ? QString() : tr("; not carried:")),
-             read.remarks);
-    } catch (const Error& e) {
-        tell(tr("Nothing was taken over"), {e.what()});
-    }
+    struct Taken {
+        ReadLibrary read;
+        std::filesystem::path place;
+    };
+    const auto taken = std::make_shared<Taken>();
+    FileWriting::own().start(
+        *this,
+        [taken, file = path_of(path), unit = document_.unit(), folder = folder_] {
+            taken->read = load_library(file, unit);
+            taken->place = keep_library(taken->read.library, folder, file.stem().string());
+        },
+        [this, taken](const QString& wrong) {
+            if (!wrong.isEmpty()) return tell(tr("Nothing was taken over"), {wrong});
+            read_folder();
+            const ToolLibrary& library = taken->read.library;
+            const QString holders =
+                library.holders.empty()
+                    ? QString()
+                    : tr(", holders for the dialog of a tool: %1").arg(library.holders.size());
+            tell(tr("%1 kept as “%2”").arg(counted(library.tools.size()), path_text(taken->place.stem()))
+                     + holders + (taken->read.remarks.empty() ? QString() : tr("; not carried:")),
+                 worded_lines(taken->read.remarks));
+        });
 }
 
 void ToolLibraryDialog::export_to(const QString& path) {
-    try {
-        ToolLibrary out;
-        out.unit = document_.has_part() ? document_.unit() : LengthUnit::mm;
-        out.name = utf8(QFileInfo(path).completeBaseName());
-        out.tools = shown(true);
-        if (out.tools.empty()) out.tools = shown(false);
-        const auto file = path_of(path);
-        const WrittenLibrary written = write_library(out, format_of(file), file.filename().string());
-        OutputSet set;
-        for (const WrittenLibrary::File& f : written.files)
-            set.add(file.parent_path() / f.name).write(f.bytes);
-        set.commit();
-        tell(tr("Written to %1").arg(elided(path, 60))
-                 + (written.remarks.empty() ? QString() : tr("; not carried:")),
-             written.remarks);
-    } catch (const Error& e) {
-        tell(tr("Nothing was written"), {e.what()});
-    }
+    ToolLibrary out;
+    out.unit = document_.has_part() ? document_.unit() : LengthUnit::mm;
+    out.name = utf8(QFileInfo(path).completeBaseName());
+    out.tools = shown(true);
+    if (out.tools.empty()) out.tools = shown(false);
+    const auto remarks = std::make_shared<std::vector<std::string>>();
+    FileWriting::own().start(
+        *this,
+        [remarks, out, file = path_of(path)] {
+            const WrittenLibrary written = write_library(out, format_of(file), file.filename().string());
+            OutputSet set;
+            for (const WrittenLibrary::File& f : written.files)
+                set.add(file.parent_path() / f.name).write(f.bytes);
+            set.commit();
+            *remarks = written.remarks;
+        },
+        [this, remarks, path](const QString& wrong) {
+            if (!wrong.isEmpty()) return tell(tr("Nothing was written"), {wrong});
+            tell(tr("Written to %1").arg(elided(path, 60))
+                     + (remarks->empty() ? QString() : tr("; not carried:")),
+                 worded_lines(*remarks));
+        });
 }
 
 void ToolLibraryDialog::add_chosen() {
@@ -279,13 +298,17 @@ void ToolLibraryDialog::keep_project_tools() {
     if (!document_.has_part()) return;
     const Project& project = document_.project();
     const std::string named = project.path.empty() ? utf8(tr("Project")) : project.path.stem().string();
-    try {
-        const auto place = keep_library(library_of(project.tools, project.unit, named), folder_, named);
-        read_folder();
-        tell(tr("%1 kept as “%2”").arg(counted(project.tools.size()), path_text(place.stem())), {});
-    } catch (const Error& e) {
-        tell(tr("Nothing was kept"), {e.what()});
-    }
+    const auto place = std::make_shared<std::filesystem::path>();
+    FileWriting::own().start(
+        *this,
+        [place, library = library_of(project.tools, project.unit, named), folder = folder_, named] {
+            *place = keep_library(library, folder, named);
+        },
+        [this, place, tools = project.tools.size()](const QString& wrong) {
+            if (!wrong.isEmpty()) return tell(tr("Nothing was kept"), {wrong});
+            read_folder();
+            tell(tr("%1 kept as “%2”").arg(counted(tools), path_text(place->stem())), {});
+        });
 }
 
 void ToolLibraryDialog::ask_for_file() {

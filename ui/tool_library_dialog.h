@@ -25,6 +25,8 @@ public:
     /// Opens it over the user's own libraries, in the parent's window.
     static QAction* make_action(Document& document, QWidget* parent);
 
+    // Files are read and written aside; what comes of it is told in the dialog.
+
     /// Takes over what a file of any format holds, and tells what of it could not be carried.
     void import_file(const QString& path);
     /// Writes the chosen tools, or all that are shown, in the format that the file's name says.
@@ -37,7 +39,7 @@ public:
 private:
     void read_folder();
     void show_tools();
-    void tell(const QString& title, const std::vector<std::string>& lines);
+    void tell(const QString& title, const QStringList& lines);
     /// In the order of the rows.
     std::vector<LibraryTool> shown(bool only_chosen) const;
     void ask_for_file();

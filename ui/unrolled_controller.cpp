@@ -1,6 +1,7 @@
 #include "ui/unrolled_controller.h"
 
 #include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/shown_paths.h"
 #include "ui/text.h"
 #include "ui/unrolled_panel.h"
@@ -131,8 +132,11 @@ QString UnrolledController::export_name() const {
     return (at ? text(results_[*at]->name) : QString()) + QStringLiteral("-unrolled");
 }
 
-bool UnrolledController::save_picture(const QString& path) {
-    return report_written(path, write_picture(document_, path, view_->picture(unrolled_picture_size)));
+void UnrolledController::save_picture(const QString& path) {
+    write_file(
+        *this, document_, path,
+        [picture = view_->picture(unrolled_picture_size)] { return png_bytes(picture); },
+        [this, path](const QString& wrong) { report_written(path, wrong); });
 }
 
 } // namespace facetmill::ui

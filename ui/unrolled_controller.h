@@ -34,7 +34,8 @@ public:
     void panel_seen(bool seen) override;
     bool busy() const override { return job_.running(); }
 
-    bool save_picture(const QString& path);
+    /// Written aside; what comes of it is told in the window.
+    void save_picture(const QString& path);
     QString export_name() const;
 
 signals:

@@ -78,11 +78,11 @@ QString write(ui::MainWindow& window, const QString& what, const QString& target
     else if (what == QLatin1String("sheet"))
         window.exports().save_sheet(target);
     else if (what == QLatin1String("picture"))
-        done = window.exports().save_picture(target);
+        window.exports().save_picture(target);
     else if (what == QLatin1String("chart"))
-        done = window.inspection().save_picture(target);
+        window.inspection().save_picture(target);
     else if (what == QLatin1String("values"))
-        done = window.inspection().save_table(target);
+        window.inspection().save_table(target);
     else
         return QStringLiteral("there is no output ") + what;
     wait_until_settled(window);

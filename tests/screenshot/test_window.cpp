@@ -471,6 +471,7 @@ private slots:
         shot(*dialog, QStringLiteral("dialog-library-empty"));
 
         QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("keep")), Qt::LeftButton);
+        QVERIFY(wait_until_settled(w()));
         QCOMPARE(table->rowCount(), int(w().document().project().tools.size()));
         const QString file = data.path() + QStringLiteral("/Shop of a neighbour.json");
         QFile json(file);
@@ -485,6 +486,7 @@ private slots:
             {"type": "thread mill", "description": "1/4-20", "geometry": {"DC": 0.2}}]})");
         json.close();
         dialog->import_file(file);
+        QVERIFY(wait_until_settled(w()));
         QCOMPARE(table->rowCount(), int(w().document().project().tools.size()) + 2);
         QVERIFY(remarks->isVisible() && remarks->toPlainText().contains(QStringLiteral("thread mill"))
                 && remarks->toPlainText().contains(QStringLiteral("tool-coolant")));
@@ -513,9 +515,11 @@ private slots:
 
         const QString out = data.path() + QStringLiteral("/out.tbl");
         dialog->export_to(out);
+        QVERIFY(wait_until_settled(w()));
         QVERIFY2(QFile::exists(out), qPrintable(told->text() + remarks->toPlainText()));
         QVERIFY(remarks->toPlainText().contains(QStringLiteral("not carried")));
         dialog->import_file(data.path() + QStringLiteral("/missing.json"));
+        QVERIFY(wait_until_settled(w()));
         QVERIFY(told->text().contains(QStringLiteral("Nothing")));
         dialog->resize(520, 300);
         shot(*dialog, QStringLiteral("dialog-library-small"));
@@ -525,6 +529,7 @@ private slots:
         holder.write(R"({"name": "BT30", "units": "mm", "profile": [[15, 0], [22, 12], [22, 32]]})");
         holder.close();
         dialog->import_file(holder.fileName());
+        QVERIFY(wait_until_settled(w()));
         QVERIFY2(told->text().contains(QStringLiteral("holders")), qPrintable(told->text()));
         dialog->reject();
         w().tree().select({TreeNode::Kind::tool, 0});

@@ -2,16 +2,22 @@
 #include "tests/screenshot/slow_disk.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/autosave.h"
+#include "ui/inspection_controller.h"
 #include "ui/message_bar.h"
+#include "ui/own_folders.h"
+#include "ui/program_export.h"
 #include "ui/project_saving.h"
 #include "ui/project_tree.h"
 #include "ui/settings.h"
+#include "ui/templates.h"
 #include "ui/text.h"
+#include "ui/tool_library_dialog.h"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
 #include <QDirIterator>
+#include <QDockWidget>
 #include <QFile>
 #include <QMap>
 #include <QMessageBox>
@@ -382,6 +388,37 @@ private slots:
         QTimer::singleShot(50, &w(), [&] { again.go_on(); });
         QVERIFY(w().close());
         QCOMPARE(saved(), 0.035);
+    }
+
+    /// Whatever leaves the window is there when the disk goes on, and not before: nobody has waited for it.
+    void what_leaves_waits_for_no_disk() {
+        QVERIFY(open_and_plan());
+        w().findChild<QDockWidget*>(QStringLiteral("chart_dock"))->toggleViewAction()->trigger();
+        QVERIFY(wait_until_settled(w()));
+        const QString folder = scratch_folder(QStringLiteral("leaves"));
+        const auto path = [&](const char* name) { return folder + QChar('/') + QLatin1String(name); };
+        ui::ToolLibraryDialog library(w().document(), ui::path_of(path("tools")), &w());
+        StandingDisk disk;
+        w().templates().save(QStringLiteral("slow"));
+        library.keep_project_tools();
+        library.export_to(path("library.json"));
+        w().exports().save_picture(path("view.png"));
+        w().inspection().save_picture(path("chart.png"));
+        w().inspection().save_table(path("chart.csv"));
+        QTRY_COMPARE(StandingDisk::waiting(), 1);
+        QVERIFY(w().busy());
+        const QString kept = ui::path_text(ui::own_template_folder() / "slow.fmtemplate");
+        const QStringList files{kept, path("library.json"), path("view.png"), path("chart.png"),
+                                path("chart.csv")};
+        for (const QString& file : files)
+            QVERIFY2(!QFile::exists(file), qPrintable(file));
+        QVERIFY(QDir(path("tools")).isEmpty(QDir::Files));
+        disk.go_on();
+        QVERIFY(wait_until_settled(w()));
+        for (const QString& file : files)
+            QVERIFY2(QFile::exists(file), qPrintable(file));
+        QVERIFY(!QDir(path("tools")).isEmpty(QDir::Files));
+        QFile::remove(kept);
     }
 
     void what_cannot_be_read_stays() {

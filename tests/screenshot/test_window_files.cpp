@@ -219,10 +219,12 @@ private slots:
         QVERIFY(!w().job().running());
         QVERIFY(!QFile::exists(folder + QStringLiteral("/late")));
 
-        QVERIFY(w().exports().save_picture(folder + QStringLiteral("/view.png")));
+        w().exports().save_picture(folder + QStringLiteral("/view.png"));
+        QVERIFY(wait_until_settled(w()));
         QCOMPARE(QImage(folder + QStringLiteral("/view.png")).size(),
                  w().viewport().size() * w().viewport().devicePixelRatioF());
-        QVERIFY(!w().exports().save_picture(folder + QStringLiteral("/no/such/folder.png")));
+        w().exports().save_picture(folder + QStringLiteral("/no/such/folder.png"));
+        QVERIFY(wait_until_settled(w()));
         QVERIFY(w().message_bar().message().contains(QStringLiteral("folder.png")));
 
         bool asked = false;

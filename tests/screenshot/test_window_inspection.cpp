@@ -265,9 +265,9 @@ private slots:
         const QString folder = scratch_folder(QStringLiteral("charts"));
         const auto table = [&](const char* name) {
             const QString path = folder + QLatin1String(name);
-            if (!charts().save_table(path)) return QList<QByteArray>();
+            charts().save_table(path);
             QFile file(path);
-            if (!file.open(QIODevice::ReadOnly)) return QList<QByteArray>();
+            if (!wait_until_settled(w()) || !file.open(QIODevice::ReadOnly)) return QList<QByteArray>();
             return file.readAll().trimmed().split('\n');
         };
         const auto axes = table("/axes.csv");
@@ -275,7 +275,8 @@ private slots:
         QCOMPARE(axes.front(), QByteArray("goto,kind,way_in,time_s,C_deg,C_turns_back,A_deg,A_turns_back"));
         const auto last = axes.back().split(',');
         QVERIFY(std::abs(last[3].toDouble() - w().document().result(0)->totals.time_seconds) < 1e-4);
-        QVERIFY(charts().save_picture(folder + QStringLiteral("/axes.png")));
+        charts().save_picture(folder + QStringLiteral("/axes.png"));
+        QVERIFY(wait_until_settled(w()));
         const QImage picture(folder + QStringLiteral("/axes.png"));
         QCOMPARE(picture.size(), QSize(1600, 900));
         picture.save(QStringLiteral(FACETMILL_PICTURE_OUT "/charts-export.png")); // to be looked at
@@ -283,8 +284,11 @@ private slots:
         const auto steps = table("/steps.csv");
         QCOMPARE(int(steps.size()), w().document().result(0)->path.drive_planes + 1);
         QCOMPARE(steps.front(), QByteArray("pass,place_in,stepover_to_next_in"));
-        QVERIFY(charts().save_picture(folder + QStringLiteral("/steps.png")));
-        QVERIFY(!charts().save_picture(folder + QStringLiteral("/no/axes.png")));
+        charts().save_picture(folder + QStringLiteral("/steps.png"));
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().last_failure().isEmpty() && QFile::exists(folder + QStringLiteral("/steps.png")));
+        charts().save_picture(folder + QStringLiteral("/no/axes.png"));
+        QVERIFY(wait_until_settled(w()));
         QVERIFY(!w().last_failure().isEmpty());
     }
 

@@ -146,7 +146,8 @@ private slots:
         shot(w(), QStringLiteral("unrolled-dark"));
         // A picture of its own.
         const QString file = scratch_folder(QStringLiteral("unrolled")) + QStringLiteral("/unrolled.png");
-        QVERIFY(w().unrolled().save_picture(file));
+        w().unrolled().save_picture(file);
+        QVERIFY(wait_until_settled(w()));
         const QImage saved(file);
         QVERIFY(saved.width() >= 1000 && saved.pixelColor(2, 2) == Qt::white);
         saved.save(QStringLiteral(FACETMILL_PICTURE_OUT "/unrolled-export.png"));

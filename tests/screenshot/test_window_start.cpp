@@ -201,6 +201,7 @@ private slots:
         // Both are kept there from now on, and found there.
         QVERIFY(open_part());
         w().templates().save(QStringLiteral("kept"));
+        QVERIFY(wait_until_settled(w()));
         QVERIFY(QFile::exists(own + QStringLiteral("/templates/kept.fmtemplate")));
         w().tree().tool_library_action()->trigger();
         QPointer<ui::ToolLibraryDialog> library;
@@ -379,6 +380,7 @@ private slots:
         emit templates.menu()->aboutToShow();
         QVERIFY(!templates.menu()->actions().front()->isEnabled()); // none is kept yet
         templates.save(QStringLiteral("relief in wood"));
+        QVERIFY(wait_until_settled(w()));
         QVERIFY2(w().message_bar().message().contains(QStringLiteral("2 operations")),
                  qPrintable(w().message_bar().message()));
         QVERIFY_THROWS_EXCEPTION(Error, templates.save(QStringLiteral("../elsewhere")));
