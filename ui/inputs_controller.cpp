@@ -161,6 +161,7 @@ void InputsController::take_located(const Project& candidate, const ProjectInput
 void InputsController::take(const Project& candidate, const QString& step, const QString& found,
                             bool for_stock) {
     auto loaded = std::make_shared<LoadedPart>();
+    part_.begin_opening();
     job_.start(
         tr("Reading %1").arg(elided(path_text(candidate.part_path().filename()), 30)),
         [loaded, candidate, planner = planner_](const Progress& p) {
@@ -173,7 +174,7 @@ void InputsController::take(const Project& candidate, const QString& step, const
             // What went wrong is in the bar by now.
             if ((refused || end.how == JobEnd::How::failed) && !missing_.empty())
                 messages_.offer(locate_action());
-            if (refused || !end.done()) return;
+            if (refused || !end.done()) return part_.end_opening();
             messages_.succeeded();
             missing_ = missing_inputs(candidate); // told with the rest
             part_.show_with_step(*loaded, step, [&](Project& p) { take_inputs(p, candidate); });
@@ -185,6 +186,7 @@ void InputsController::take(const Project& candidate, const QString& step, const
                             .arg(path_text(loaded->part_file.path.filename()),
                                  count_text(loaded->part->report.facets));
             tell(said.join(QChar(' ')), bad_stock);
+            part_.end_opening();
         });
 }
 

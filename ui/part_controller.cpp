@@ -212,8 +212,12 @@ void PartController::project_changed() {
     show_stock();
 }
 
+void PartController::end_opening() {
+    if (--openings_ == 0) part_changed();
+}
+
 void PartController::part_changed() {
-    if (!document_.has_part() || document_.part_is_current()) return;
+    if (openings_ > 0 || !document_.has_part() || document_.part_is_current()) return;
     // Not before it was read for the first time, and what could not be read, not again.
     if (!document_.part() && !wanted_) return;
     if (tried_ != Document::part_key(document_.project())) reload();

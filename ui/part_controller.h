@@ -38,6 +38,11 @@ public:
 
     /// Reads the document's part in the background, if it has one and that is not missing.
     void reload();
+    /// From here until as many `end_opening` another file is being opened by the same job: the part that is
+    /// shown is not read anew, which would cancel that.
+    void begin_opening() { ++openings_; }
+    /// What changed meanwhile is read now, where that part is still the one that is shown.
+    void end_opening();
     /// Takes over what was read; `new_view` turns the view to it.
     void show(const LoadedPart& loaded, bool new_view);
     /// The same of what a step of the history names, which is made here.
@@ -78,6 +83,7 @@ private:
     StockShapePtr stock_mesh_;        ///< as read with the part
     MeshFile part_file_, stock_file_; ///< as shown
     int readings_ = 0;                ///< so many were begun
+    int openings_ = 0;                ///< so many are under way
     QStringList changes_;
     bool part_replaced_ = false; ///< some of them are the part's
     bool wanted_ = false;        ///< the document's part was to be read since it was opened

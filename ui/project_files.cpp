@@ -202,6 +202,7 @@ void ProjectFiles::open_packed(const std::filesystem::path& path) {
 
 void ProjectFiles::unpack(const std::filesystem::path& path, const std::filesystem::path& folder) {
     auto files = std::make_shared<std::vector<PackedFile>>();
+    part_.begin_opening();
     job_.start(
         tr("Unpacking %1").arg(elided(path_text(path.filename()), 30)),
         [=](const Progress& p) {
@@ -209,12 +210,13 @@ void ProjectFiles::unpack(const std::filesystem::path& path, const std::filesyst
             copy_kept(path, files->front().path, p.part(0.8, 1));
         },
         [this, files, folder](const JobEnd& end) {
-            if (!end.done()) return;
+            if (!end.done()) return part_.end_opening();
             messages_.succeeded();
             messages_.information(
                 tr("Unpacked %1 files into %2.").arg(count_text(files->size()), path_text(folder)), false);
             settings::set_last_folder(path_text(folder));
             open_project(files->front().path);
+            part_.end_opening();
         });
 }
 
@@ -249,6 +251,7 @@ static void write_sample(const std::string& name, const std::filesystem::path& p
 void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
                              std::function<void(LoadedPart)> then) {
     auto loaded = std::make_shared<LoadedPart>();
+    part_.begin_opening();
     job_.start(
         tr("Reading %1").arg(elided(path_text(path.filename()), 30)),
         [loaded, probe = probe_of(path, unit), planner = planner_](const Progress& p) {
@@ -262,6 +265,7 @@ void ProjectFiles::read_mesh(const std::filesystem::path& path, LengthUnit unit,
             } else if (end.how == JobEnd::How::failed) {
                 settings::remove_recent_file(path_text(path));
             }
+            part_.end_opening();
         });
 }
 
@@ -349,6 +353,7 @@ void ProjectFiles::new_from_sample(const std::string& name) {
     const std::filesystem::path path = path_of(sample_folder_) / (name + ".stl");
     const LengthUnit unit = kind->natural_unit;
     auto loaded = std::make_shared<LoadedPart>();
+    part_.begin_opening();
     job_.start(
         tr("Making %1").arg(worded(kind->label)),
         [=, planner = planner_](const Progress& p) {
@@ -356,9 +361,10 @@ void ProjectFiles::new_from_sample(const std::string& name) {
             *loaded = load_part(*planner, probe_of(path, unit), p.part(0.5, 1));
         },
         [this, loaded, path, unit, label = text(name), turned = kind->turned](const JobEnd& end) {
-            if (!end.done()) return;
+            if (!end.done()) return part_.end_opening();
             messages_.succeeded();
             take_mesh(path, unit, *loaded, label, turned);
+            part_.end_opening();
         });
 }
 

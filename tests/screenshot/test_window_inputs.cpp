@@ -308,6 +308,27 @@ private slots:
     }
 
     /// A step from before the project took the sample along names the copy.
+    /// What changes of the part that is shown does not cancel the opening of another one.
+    void a_change_while_another_part_is_opened() {
+        QVERIFY(open_part());
+        const QString other = write_mesh(scratch_folder(QStringLiteral("other")));
+        const auto turn = [&](double angle) {
+            w().document().change(QStringLiteral("Turn"), [&](Project& p) { p.part.rotate = {0, 0, angle}; });
+        };
+        w().open_file(other, LengthUnit::inch);
+        QVERIFY(w().job().running());
+        turn(1);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(ui::path_text(w().document().project().part_path()), other);
+        QVERIFY(w().document().part_is_current());
+        // An opening that ends otherwise lets it be read.
+        w().open_file(scratch_folder(QStringLiteral("none")) + QStringLiteral("/none.stl"), LengthUnit::inch);
+        turn(2);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(ui::path_text(w().document().project().part_path()), other);
+        QVERIFY(w().document().part_is_current());
+    }
+
     void undo_behind_a_save() {
         action(w(), "sample_convex")->trigger();
         QVERIFY(wait_until_settled(w()));
