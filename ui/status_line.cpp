@@ -15,6 +15,8 @@
 
 namespace facetmill::ui {
 
+constexpr int min_progress_width = 170;
+
 QString time_left_text(double seconds) {
     // As coarse as it is known.
     if (seconds < 10) return StatusLine::tr("a few s left");
@@ -26,6 +28,13 @@ QString time_left_text(double seconds) {
                         : QString::number(std::lround(hours)));
 }
 
+void say_in_bar(QProgressBar& bar, const QString& format) {
+    constexpr int beside_words = 12;
+    bar.setFormat(format);
+    const int need = bar.fontMetrics().horizontalAdvance(bar.text()) + beside_words;
+    if (need > bar.width()) bar.setFixedWidth(need);
+}
+
 StatusLine::StatusLine(const Document& document, QStatusBar* bar)
     : QObject(bar), document_(document), bar_(bar) {
     activity_ = new QLabel(tr("Ready"), bar);
@@ -35,7 +44,7 @@ StatusLine::StatusLine(const Document& document, QStatusBar* bar)
     progress_->setObjectName(QStringLiteral("progress"));
     progress_->setRange(0, 1000);
     progress_->setTextVisible(true);
-    progress_->setFixedWidth(170);
+    progress_->setFixedWidth(min_progress_width);
     progress_->setMaximumHeight(16);
     cancel_button_ = new QToolButton(bar);
     cancel_button_->setObjectName(QStringLiteral("cancel_button"));
@@ -66,6 +75,7 @@ void StatusLine::follow(const BackgroundJob& job, QAction* cancel) {
         activity_->setText(title);
         since_.start();
         progress_->setValue(0);
+        progress_->setFixedWidth(min_progress_width);
         progress_->setFormat(QStringLiteral("%p %"));
         progress_->show();
         cancel_button_->show();
@@ -90,7 +100,7 @@ void StatusLine::show_time_left(double fraction) {
     constexpr double min_seconds = 3, min_fraction = 0.03;
     const double gone = 1e-3 * double(since_.elapsed());
     if (gone < min_seconds || fraction < min_fraction) return;
-    progress_->setFormat(QStringLiteral("%p % · ") + time_left_text(gone * (1 - fraction) / fraction));
+    say_in_bar(*progress_, QStringLiteral("%p % · ") + time_left_text(gone * (1 - fraction) / fraction));
 }
 
 void StatusLine::show_cancelling() {

@@ -20,6 +20,8 @@ class ElidedLabel;
 
 /// "40 s left", "3 min left": rounded as roughly as it is known.
 QString time_left_text(double seconds);
+/// The bar grows with its words, and does not shrink again: others beside it would jump about.
+void say_in_bar(QProgressBar& bar, const QString& format);
 
 class StatusLine : public QObject {
     Q_OBJECT

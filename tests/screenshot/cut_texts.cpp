@@ -14,6 +14,7 @@
 #include <QLayout>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTextDocument>
@@ -187,6 +188,11 @@ void look_at_control(const QWidget& w, Faults& faults) {
         look_at_edges(w, QStringLiteral("-"), w.width(), faults);
 }
 
+void look_at_progress(const QProgressBar& bar, Faults& faults) {
+    if (bar.isTextVisible())
+        faults.add(bar.text(), bar.contentsRect().width(), bar.fontMetrics().horizontalAdvance(bar.text()));
+}
+
 QStringList look_at(const QWidget& w) {
     Faults faults(w);
     look_at_control(w, faults);
@@ -195,6 +201,8 @@ QStringList look_at(const QWidget& w) {
         look_at_label(*label, faults);
     else if (const auto* button = qobject_cast<const QAbstractButton*>(&w))
         look_at_button(*button, faults);
+    else if (const auto* bar = qobject_cast<const QProgressBar*>(&w))
+        look_at_progress(*bar, faults);
     else if (const auto* tabs = qobject_cast<const QTabBar*>(&w))
         look_at_tabs(*tabs, faults);
     else if (const auto* heads = qobject_cast<const QHeaderView*>(&w))

@@ -2,8 +2,10 @@
 // switched off, renamed in place, dragged, copied into another project.
 #include "core/job/program_files.h"
 #include "core/mesh/mesh_io.h"
+#include "tests/screenshot/cut_texts.h"
 #include "tests/screenshot/window_support.h"
 #include "tests/support/part_meshes.h"
+#include "ui/language.h"
 #include "ui/message_bar.h"
 #include "ui/operation_actions.h"
 #include "ui/operation_list.h"
@@ -138,6 +140,23 @@ private slots:
         QCOMPARE(ui::time_left_text(200), QStringLiteral("3 min left"));
         QCOMPARE(ui::time_left_text(5400), QStringLiteral("1.5 h left"));
         QCOMPARE(ui::time_left_text(36000 * 3), QStringLiteral("30 h left"));
+        // However long that is in a language, the bar has room for it.
+        for (const char* language : {"de", "fr", "en"}) {
+            ui::speak(language);
+            QWidget window;
+            window.resize(600, 40);
+            QProgressBar bar(&window);
+            window.show();
+            bar.setRange(0, 100);
+            bar.setValue(88);
+            bar.setFixedWidth(60);
+            for (const double seconds : {3.0, 42.0, 5400.0}) {
+                ui::say_in_bar(bar, QStringLiteral("%p % · ") + ui::time_left_text(seconds));
+                QCOMPARE(found_at_rest([&] { return cut_texts(window); }), QStringList());
+                bar.setFixedWidth(60);
+                QVERIFY(!found_at_rest([&] { return cut_texts(window); }).isEmpty());
+            }
+        }
     }
 
     void switched_off_it_is_left_out() {
