@@ -4,6 +4,7 @@
 #include "ui/elided_label.h"
 #include "ui/flow_layout.h"
 #include "ui/icon_button.h"
+#include "ui/language.h"
 #include "ui/text.h"
 #include "ui/theme.h"
 #include "ui/worded.h"
@@ -212,7 +213,7 @@ void CSpacePanel::show_legend() {
         auto* sample = new QLabel(item);
         sample->setPixmap(sample_of(entry, devicePixelRatioF(), palette()));
         row->addWidget(sample);
-        row->addWidget(new QLabel(worded(entry.label), item));
+        row->addWidget(new QLabel(text(said_in_view(entry.label)), item));
         legend_->layout()->addWidget(item);
         item->show();
     }

@@ -5,6 +5,7 @@
 #include "ui/cspace_panel.h"
 #include "ui/cspace_view.h"
 #include "ui/elided_label.h"
+#include "ui/language.h"
 #include "ui/operation_list.h"
 #include "ui/project_tree.h"
 #include "ui/viewport.h"
@@ -231,7 +232,15 @@ private slots:
         shot(w(), QStringLiteral("cspace-small"));
         QVERIFY(w().width() <= 800);
         QVERIFY(cspace().panel()->view()->height() >= 100);
+        // All of the legend is in the language of the window, also what postures have in common.
+        ui::speak(QStringLiteral("fr"));
         w().set_theme(Theme::light);
+        QString legend;
+        for (const QLabel* label : cspace().panel()->findChildren<QLabel*>())
+            legend += label->text() + QChar('\n');
+        QVERIFY2(legend.contains(QStringLiteral("Choisi")) && !legend.contains(QStringLiteral("planned")),
+                 qPrintable(legend));
+        ui::speak(QStringLiteral("en"));
     }
 };
 
