@@ -1,5 +1,6 @@
 #include "ui/boundary_controller.h"
 
+#include "core/base/usual_value.h"
 #include "core/job/bounds.h"
 #include "ui/boundary_list.h"
 #include "ui/messages.h"
@@ -158,8 +159,8 @@ void BoundaryController::node_chosen(const std::optional<TreeNode>& node) {
     node_ = node;
     const Boundary* boundary = chosen();
     if (boundary && !std::exchange(sized_, true)) {
-        const double size = document_.part()->box.diagonal();
-        box_.set_radius(first_radius_share * size);
+        const double per = mm_per(document_.unit()), size = document_.part()->box.diagonal() / per;
+        box_.set_radius(round_to_digit(first_radius_share * size) * per);
     }
     show();
 }

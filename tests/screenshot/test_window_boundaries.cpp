@@ -1,5 +1,6 @@
 // Boundaries in the window: added from a menu, edited in a form, named by operations, painted on the part;
 // each change a step of the history.
+#include "core/base/usual_value.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/window_support.h"
 #include "tests/support/error_code.h"
@@ -265,6 +266,10 @@ private slots:
         from_above();
         add("boundary_facets");
         press_button("paint");
+        // Of the part's size a round number.
+        const double radius = w().findChild<QDoubleSpinBox*>(QStringLiteral("paint_radius"))->value();
+        QVERIFY2(radius > 0 && std::abs(radius - round_to_digit(radius)) < 1e-9 * radius,
+                 qPrintable(QString::number(radius)));
         set_number("paint_radius", 3);
         const int steps = w().document().undo_stack().count();
         const Vec3 from = on_part(10, 15), to = on_part(30, 15);
