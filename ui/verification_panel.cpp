@@ -301,6 +301,7 @@ QString VerificationPanel::figures_html() const {
                  + cell(percent_text(b.figures.uncut_fraction)) + QStringLiteral("</tr>");
     }
     if (!bands.isEmpty()) {
+        const QString in = text(unit_name(unit));
         const auto head = [&](const QString& name) {
             return QStringLiteral("<td align=\"right\" style=\"color:%1; padding:1px 0 1px 4px\">%2</td>")
                 .arg(quiet, name.toHtmlEscaped());
@@ -309,7 +310,8 @@ QString VerificationPanel::figures_html() const {
                                "<td style=\"color:%1; padding:1px 0\">%2</td>")
                     .arg(quiet, tr("Slope").toHtmlEscaped())
                 + head(tr("Gouge")) + head(tr("95 %")) + head(tr("Max")) + head(tr("Uncut"))
-                + QStringLiteral("</tr>") + bands + QStringLiteral("</table>");
+                + QStringLiteral("</tr><tr><td></td>") + head(in) + head(in) + head(in)
+                + QStringLiteral("<td></td></tr>") + bands + QStringLiteral("</table>");
     }
     return html;
 }

@@ -137,6 +137,9 @@ private slots:
         QVERIFY(controller().doubt().isEmpty());
         QVERIFY(w().viewport().scene().has(Layer::deviation));
         QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("Deepest gouge")));
+        // The table of slopes says what its lengths are in.
+        QVERIFY2(controller().panel()->figures_text().contains(QStringLiteral("Uncut\n\nin\nin\nin\n")),
+                 qPrintable(controller().panel()->figures_text()));
         QVERIFY(controller().panel()->histogram()->histogram()->total > 0);
         QVERIFY(w().message_bar().message().contains(QStringLiteral("no gouge")));
         // The part has its colours in the view, no path lies over them, and it loses them with the layer.
