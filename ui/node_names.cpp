@@ -10,7 +10,7 @@ namespace facetmill::ui {
 
 namespace {
 
-using Kind = TreeNode::Kind;
+using NodeKind = TreeNode::Kind;
 
 /// All names that have to differ from each other, with that of the node among them at `own`.
 struct Names {
@@ -28,16 +28,16 @@ Names names_of(const Project& project, const TreeNode& node) {
             names.all.push_back(name(one));
     };
     const auto own_name = [](const auto& one) { return one.name; };
-    if (node.kind == Kind::operation) {
+    if (node.kind == NodeKind::operation) {
         add("operation", all_operations(project), [](const Operation* o) { return o->common().name; });
         names.own += operations_before(project);
-    } else if (node.kind == Kind::setup) {
+    } else if (node.kind == NodeKind::setup) {
         names.what = "setup";
         for (std::size_t k = 0; k < setup_count(project); ++k)
             names.all.push_back(setup_at(project, k).name);
-    } else if (node.kind == Kind::fixture) {
+    } else if (node.kind == NodeKind::fixture) {
         add("fixture", project.fixtures, own_name);
-    } else if (node.kind == Kind::boundary) {
+    } else if (node.kind == NodeKind::boundary) {
         add("boundary", project.boundaries, own_name);
     }
     return names;
@@ -60,14 +60,14 @@ void rename_node(Document& document, const TreeNode& node, const std::string& na
     if (std::find(names.all.begin(), names.all.end(), name) != names.all.end())
         throw Error(ErrorCode::out_of_range, where,
                     "another " + what + " is called '" + printable(name) + "'", "choose another name");
-    if (node.kind == Kind::boundary) return rename_boundary(document, node.index, name);
-    const QString step = node.kind == Kind::operation ? Document::tr("Rename operation")
-                         : node.kind == Kind::setup   ? Document::tr("Rename setup")
-                                                      : Document::tr("Rename fixture");
+    if (node.kind == NodeKind::boundary) return rename_boundary(document, node.index, name);
+    const QString step = node.kind == NodeKind::operation ? Document::tr("Rename operation")
+                         : node.kind == NodeKind::setup   ? Document::tr("Rename setup")
+                                                          : Document::tr("Rename fixture");
     document.change(step, [&](Project& p) {
-        if (node.kind == Kind::operation)
+        if (node.kind == NodeKind::operation)
             p.operations[node.index]->common().name = name;
-        else if (node.kind == Kind::setup)
+        else if (node.kind == NodeKind::setup)
             setup_at(p, node.index).name = name;
         else
             p.fixtures[node.index].name = name;

@@ -17,7 +17,7 @@ namespace facetmill::ui {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_in_seconds = 300; ///< beyond it the axis of time counts minutes
 
 const char* kind_name(MotionKind kind) {
@@ -33,10 +33,6 @@ QString angle_text(double degrees, int digits = 1) {
 /// A number of a table; nothing where there is none.
 std::string number(double v) {
     return std::isfinite(v) ? format_number(v, 9) : std::string();
-}
-
-QString tr(const char* text) {
-    return QObject::tr(text);
 }
 
 } // namespace
@@ -74,7 +70,7 @@ void PathChart::build_stepover() {
     content_.x_label = tr("Place of the pass across the travel (%1)").arg(length_unit);
     content_.y_label = tr("Step-over (%1)").arg(length_unit);
     // From each pass to the next.
-    PlotSeries steps{{}, {}, {}, none, none};
+    PlotSeries steps{{}, {}, {}, no_number, no_number};
     for (std::size_t i = 0; i + 1 < drives_.size(); ++i) {
         const double step = (drives_[i + 1].offset - drives_[i].offset) / per;
         for (const std::size_t end : {i, i + 1}) {
@@ -113,7 +109,7 @@ void PathChart::build_rotary() {
     for (const double v : along)
         content_.x.push_back(v / scale);
     for (std::size_t r = 0; r < std::min<std::size_t>(rotary.size(), 2); ++r) {
-        PlotSeries series{text(rotary[r].name), {}, figures.reversals[r], none, none};
+        PlotSeries series{text(rotary[r].name), {}, figures.reversals[r], no_number, no_number};
         for (const double v : figures.rotary[r])
             series.y.push_back(degrees(v));
         const Travel& travel = rotary[r].travel;
@@ -131,9 +127,9 @@ double PathChart::x_of(const ChartPlace& place) const {
     if (chart_ == Chart::stepover) {
         const auto& passes = program_->path.passes;
         const Index pass = program_->program.motions.motions[place.motion].pass;
-        return pass < passes.size() ? passes[pass].offset / mm_per(unit_) : none;
+        return pass < passes.size() ? passes[pass].offset / mm_per(unit_) : no_number;
     }
-    if (place.motion >= content_.x.size()) return none;
+    if (place.motion >= content_.x.size()) return no_number;
     const double to = content_.x[place.motion], from = place.motion > 0 ? content_.x[place.motion - 1] : to;
     return from + place.share * (to - from);
 }

@@ -12,10 +12,6 @@ namespace facetmill::ui {
 
 namespace {
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 void tell_program(Messages& messages, const OperationResult& program, LengthUnit unit) {
     const QString name = text(program.name);
     messages.information(QObject::tr("Planned “%1” in %2: %3 passes, cut length %4, machining time %5.",

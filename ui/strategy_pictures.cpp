@@ -24,8 +24,8 @@ constexpr int patches = 56, told_apart = 16;
 
 /// From above one corner, the eye looking down at about 40 degrees.
 Vec2 seen(const Vec3& p) {
-    constexpr double side = 0.82, back = 0.34, up = 0.72;
-    return {side * (p.x() - 0.55 * p.y()), -back * (p.y() + 0.55 * p.x()) - up * p.z()};
+    constexpr double across = 0.82, back = 0.34, up = 0.72;
+    return {across * (p.x() - 0.55 * p.y()), -back * (p.y() + 0.55 * p.x()) - up * p.z()};
 }
 
 class PictureFrame {
@@ -38,10 +38,10 @@ public:
             lo = lo.cwiseMin(p);
             hi = hi.cwiseMax(p);
         }
-        constexpr double margin = 4;
+        constexpr double frame_margin = 4;
         const Vec2 extent = (hi - lo).cwiseMax(Vec2::Constant(1e-9));
-        scale_ =
-            std::min((size.width() - 2 * margin) / extent.x(), (size.height() - 2 * margin) / extent.y());
+        scale_ = std::min((size.width() - 2 * frame_margin) / extent.x(),
+                          (size.height() - 2 * frame_margin) / extent.y());
         middle_ = 0.5 * (lo + hi);
         center_ = QPointF(0.5 * size.width(), 0.5 * size.height());
     }

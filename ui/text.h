@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 
+#include <QObject>
 #include <QString>
 #include <QStringList>
 
@@ -19,6 +20,11 @@ inline QString text(std::string_view s) {
 }
 inline std::string utf8(const QString& s) {
     return s.toStdString();
+}
+
+/// For what is said outside of a class, in the user's language: there is no QObject::tr to inherit.
+inline QString tr(const char* text) {
+    return QObject::tr(text);
 }
 
 QString path_text(const std::filesystem::path& path);

@@ -15,11 +15,11 @@ namespace facetmill::ui {
 
 namespace {
 
-struct Colors {
+struct SketchColors {
     QColor paper, ink, quiet, cutter, shank, holder, axis;
 };
 
-Colors colors_of(const QPalette& palette) {
+SketchColors sketch_colors_of(const QPalette& palette) {
     const ToolSketchColors& c = view_colors(palette).sketch;
     return {palette.color(QPalette::Base),
             palette.color(QPalette::Text),
@@ -118,7 +118,7 @@ QPainterPath ToolSketch::cutter_path(double scale) const {
 void ToolSketch::paintEvent(QPaintEvent*) {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
-    const Colors c = colors_of(palette());
+    const SketchColors c = sketch_colors_of(palette());
     p.fillRect(rect(), c.paper);
     p.setPen(c.quiet);
     p.setBrush(Qt::NoBrush);
@@ -142,7 +142,7 @@ void ToolSketch::paintEvent(QPaintEvent*) {
 }
 
 void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
-    const Colors c = colors_of(palette());
+    const SketchColors c = sketch_colors_of(palette());
     double length = cutter_height_ + tool_.shank_length,
            radius = std::max(cutter_radius_, tool_.shank_diameter / 2);
     for (const HolderSection& h : tool_.holder) {
@@ -218,7 +218,7 @@ void ToolSketch::draw_assembly(QPainter& p, const QRectF& area) const {
 }
 
 void ToolSketch::draw_detail(QPainter& p, const QRectF& area) const {
-    const Colors c = colors_of(palette());
+    const SketchColors c = sketch_colors_of(palette());
     // The part of the cutter that has a shape: a long straight flute above it says nothing.
     const double shown = std::min(
         cutter_height_, std::max(2.2 * cutter_radius_, 1.3 * (tool_.corner_radius + 0.2 * cutter_radius_)));

@@ -40,10 +40,6 @@ namespace facetmill::ui {
 
 namespace {
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 void add_mesh_commands(Commands& commands, MainWindow& w) {
     MeshExport& meshes = w.exports().meshes();
     const auto add = [&](const QString& name, const QString& title, MeshExport::What what,

@@ -30,10 +30,6 @@ struct MenuTable {
     Entries entries;
 };
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 Entries views() {
     Entries names{"fit"};
     for (const StandardView view : standard_views())
