@@ -246,7 +246,7 @@ function(facetmill_test name)
     set_target_properties(${name}_objects PROPERTIES FACETMILL_TEST TRUE)
     facetmill_moc(${name}_objects ${ARG_SOURCES})
     target_link_libraries(${name}_objects PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
-        nlohmann_json::nlohmann_json Threads::Threads Qt6::Core Qt6::Test)
+        nlohmann_json::nlohmann_json Threads::Threads facetmill_qt_test)
     target_compile_definitions(${name}_objects PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
     target_precompile_headers(${name}_objects REUSE_FROM facetmill_test_header)
 

@@ -1,4 +1,5 @@
-// Precompiled for every test program.
+// Precompiled for every test program: QtTest and what it includes, which is half of all of QtCore.
 #pragma once
 #include "cmake/core_pch.h"
-#include <QtCore/QtCore>
+#include <QtTest/QTest>
+#include <random>
