@@ -3,7 +3,7 @@
 #include "core/mesh/mesh_format.h"
 #include "facetmill_version.h"
 #include "ui/autosave.h"
-#include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/project_files.h"
@@ -198,8 +198,13 @@ private:
         if (!window_.busy()) QTimer::singleShot(0, this, &Script::next); // nothing to wait for
     }
     void take_picture() {
-        const QString wrong =
-            ui::write_picture(window_.document(), options_.screenshot, window_.grab().toImage());
+        ui::write_file(
+            window_, window_.document(), options_.screenshot,
+            [picture = window_.grab().toImage()] { return ui::png_bytes(picture); },
+            [this](const QString& wrong) { end(wrong); });
+    }
+    /// `wrong`: why there is no picture.
+    void end(const QString& wrong) {
         bool good = wrong.isEmpty();
         if (!good) std::fprintf(stderr, "facetmill: %s\n", qPrintable(wrong));
         if (!window_.last_failure().isEmpty()) {
