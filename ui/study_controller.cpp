@@ -189,6 +189,7 @@ void StudyController::write_study() {
         return refresh();
     }
     writing_ = true;
+    stopped_ = false;
     refresh();
     const auto file = std::make_shared<fs::path>();
     FileWriting::own().start(
@@ -206,7 +207,9 @@ void StudyController::write_study() {
             source_ = {};
             source_.file = *file;
             dialog_->show_title(path_text(file->filename()), path_text(*file));
-            begin();
+            if (!stopped_) return begin();
+            problem_ = tr("Stopped. Resume goes on with what was found.");
+            refresh();
         });
 }
 
@@ -275,6 +278,7 @@ void StudyController::stop() {
         problem_ = tr("%1 It goes on there: scancel ends it.").arg(handed_);
         handed_.clear();
     }
+    stopped_ = writing_;
     job_.cancel();
     refresh();
 }
@@ -350,7 +354,7 @@ void StudyController::refresh() {
     const bool missing = !look_ || !look_->outcome.decision.missing.empty() || !look_->outcome.lost.empty();
     const auto chosen = dialog_->chosen();
     const bool adoptable = chosen && look_ && why_not_adopted(*look_, *chosen).isEmpty();
-    const bool at_work = running_ || !handed_.isEmpty();
+    const bool at_work = running_ || !handed_.isEmpty() || (writing_ && !stopped_);
     const bool ready = asks ? document_.has_part() && wrong.isEmpty() : missing;
     dialog_->show_can({.start = ready && !job_.running() && !at_work && !writing_,
                        .stop = at_work && !(running_ && job_.cancelling()),

@@ -81,6 +81,7 @@ private:
     std::shared_ptr<const StudyFolder> folder_;
     StudyLookPtr look_;
     bool writing_ = false; ///< the file of the study that was asked for
+    bool stopped_ = false; ///< meanwhile: it is not to begin
     std::shared_ptr<StudyNews> news_;
     std::string drafted_; ///< the project that the form was made from
     QString problem_;     ///< why the last thing did not work

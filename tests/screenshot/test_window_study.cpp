@@ -164,6 +164,7 @@ private slots:
         bool asked = false;
         answer_file_dialog(asked, folder_ + QStringLiteral("/table.csv"));
         QTest::mouseClick(button("study_table_file"), Qt::LeftButton);
+        QVERIFY(settled());
         QFile table(folder_ + QStringLiteral("/table.csv"));
         QVERIFY(asked && table.open(QIODevice::ReadOnly));
         QCOMPARE(table.readAll().count('\n'), 6); // a head, the project, four candidates
@@ -172,6 +173,7 @@ private slots:
             const QString file = folder_ + QStringLiteral("/picture%1.png").arg(tab);
             answer_file_dialog(asked = false, file);
             QTest::mouseClick(button("study_picture_file"), Qt::LeftButton);
+            QVERIFY(settled());
             const QImage image(file);
             QVERIFY(!image.isNull());
             QImage blank = image;
