@@ -9188,6 +9188,10 @@
         <translation>vor dem Schlüssel steht kein Name einer Operation</translation>
     </message>
     <message>
+        <source>there is no picture to write</source>
+        <translation>es gibt kein Bild zu schreiben</translation>
+    </message>
+    <message>
         <source>there is no point behind a bracket</source>
         <translation>hinter einer Klammer steht kein Punkt</translation>
     </message>
@@ -11081,10 +11085,6 @@
     <message>
         <source>%1: step-over along the part</source>
         <translation>%1: Bahnabstand entlang des Teils</translation>
-    </message>
-    <message>
-        <source>%1: there is no picture to write</source>
-        <translation>%1: es gibt kein Bild zu schreiben</translation>
     </message>
     <message>
         <source>%1; %2 facets, %3.</source>

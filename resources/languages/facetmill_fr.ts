@@ -9188,6 +9188,10 @@
         <translation>il n'y a pas de nom d'opération avant la clé</translation>
     </message>
     <message>
+        <source>there is no picture to write</source>
+        <translation>il n'y a pas d'image à écrire</translation>
+    </message>
+    <message>
         <source>there is no point behind a bracket</source>
         <translation>il n'y a pas de point derrière un crochet</translation>
     </message>
@@ -11081,10 +11085,6 @@
     <message>
         <source>%1: step-over along the part</source>
         <translation>%1 : pas latéral le long de la pièce</translation>
-    </message>
-    <message>
-        <source>%1: there is no picture to write</source>
-        <translation>%1 : il n'y a pas d'image à écrire</translation>
     </message>
     <message>
         <source>%1; %2 facets, %3.</source>
