@@ -22,12 +22,13 @@ std::string with_unit(double core_value, const ParameterInfo& info, LengthUnit u
     return format_number(core_value / info.scale(unit)) + (u.empty() ? "" : " ") + std::string(u);
 }
 
-/// A bound that is no round number of the unit, as 1000 mm are none of inches, by three digits within the
-/// range.
+/// A bound that is no round number of inches, as 1000 mm are none, by three digits within the range. What is
+/// the same number in mm, a count or an angle for example, stays as it is.
 double round_bound(double core_value, bool upper, const ParameterInfo& info, LengthUnit unit) {
     constexpr double digits = 100, same = 1e-9;
     const double bound = core_value / info.scale(unit);
-    if (bound == 0 || !std::isfinite(bound)) return core_value;
+    if (info.scale(unit) == info.scale(LengthUnit::mm) || bound == 0 || !std::isfinite(bound))
+        return core_value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(bound)) + same)) / digits;
     const double steps = bound / step;
     if (std::abs(steps - std::round(steps)) < same * std::abs(steps)) return core_value;

@@ -371,6 +371,12 @@ private slots:
         info.minimum = 0;
         info.maximum = pi / 4;
         QCOMPARE(info.range_text(LengthUnit::inch), std::string("0 to 45 °"));
+        // What is no length is told as it is.
+        info.maximum = radians(89.9427);
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("0 to 89.9427 °"));
+        info.quantity = Quantity::count;
+        info.maximum = 99999;
+        QCOMPARE(info.range_text(LengthUnit::inch), std::string("0 to 99999"));
     }
     void usual_values_are_round() {
         ParameterInfo info;
