@@ -5,7 +5,6 @@
 #include "ui/cspace_controller.h"
 #include "ui/cspace_panel.h"
 #include "ui/dropped_files.h"
-#include "ui/file_writing.h"
 #include "ui/graphics_role.h"
 #include "ui/inspection_controller.h"
 #include "ui/inspection_panel.h"
@@ -264,7 +263,6 @@ void MainWindow::connect_jobs() {
     });
     connect(files_.get(), &ProjectFiles::renamed, this, &MainWindow::update_title);
     connect(files_.get(), &ProjectFiles::settled, this, &MainWindow::check_settled);
-    connect(&FileWriting::own(), &FileWriting::settled, this, &MainWindow::check_settled);
     connect(exports_, &ProgramExport::verify_wanted, this, &MainWindow::verify);
     connect(&job_, &BackgroundJob::started, this, &MainWindow::update_commands);
     connect(&job_, &BackgroundJob::ended, this, [this](const JobEnd& end) {
@@ -369,8 +367,7 @@ void MainWindow::show_place() {
 }
 
 bool MainWindow::busy() const {
-    return job_.running() || controllers_->busy() || files_->busy() || FileWriting::own().busy()
-           || !viewport_->finished();
+    return job_.running() || controllers_->busy() || files_->busy() || !viewport_->finished();
 }
 
 void MainWindow::check_settled() {

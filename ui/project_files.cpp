@@ -12,6 +12,7 @@
 #include "ui/autosave.h"
 #include "ui/dropped_files.h"
 #include "ui/export.h"
+#include "ui/file_writing.h"
 #include "ui/messages.h"
 #include "ui/operation_list.h"
 #include "ui/part_dialog.h"
@@ -55,12 +56,13 @@ ProjectFiles::ProjectFiles(Document& document, std::shared_ptr<Planner> planner,
     saving_->setParent(this);
     connect(saving_, &ProjectSaving::saved, this, &ProjectFiles::renamed);
     connect(saving_, &ProjectSaving::settled, this, &ProjectFiles::settled);
+    connect(&FileWriting::own(), &FileWriting::settled, this, &ProjectFiles::settled);
 }
 
 ProjectFiles::~ProjectFiles() = default;
 
 bool ProjectFiles::busy() const {
-    return saving_->busy();
+    return saving_->busy() || FileWriting::own().busy();
 }
 
 bool ProjectFiles::may_discard() {

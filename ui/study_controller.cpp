@@ -111,7 +111,7 @@ void StudyController::project_opened() {
 }
 
 void StudyController::new_study() {
-    if (running_ || writing_) return;
+    if (running_) return;
     job_.cancel();
     slurm_.stop();
     handed_.clear();
@@ -140,7 +140,7 @@ void StudyController::ask_for_study() {
 }
 
 void StudyController::open_study(const QString& path) {
-    if (running_ || writing_) return;
+    if (running_) return;
     (void)dialog();
     const fs::path named = path_of(path);
     std::error_code ec;
@@ -173,55 +173,36 @@ void StudyController::open_study(const QString& path) {
     refresh();
 }
 
-/// The study's file from the form, beside the project; then the study begins.
-void StudyController::write_study() {
+/// The study's file from the form, beside the project. False where that does not work.
+bool StudyController::write_file() {
     if (document_.project().path.empty() || document_.modified()) emit save_wanted();
-    const fs::path project = document_.project().path;
-    if (project.empty() || document_.modified()) {
+    if (document_.project().path.empty() || document_.modified()) {
         problem_ = tr("A study works on the project as it is saved: save it first.");
-        return refresh();
+        return false;
     }
-    std::string content;
     try {
-        content = dialog_->form()->draft().json(project.filename().string());
+        const fs::path project = document_.project().path;
+        const std::string content = dialog_->form()->draft().json(project.filename().string());
+        const fs::path file = free_study_file(project, content);
+        OutputFile out(file);
+        out.write(content);
+        out.commit();
+        source_ = {};
+        source_.file = file;
     } catch (const Error& e) {
         problem_ = sentence(worded(e));
-        return refresh();
+        return false;
     }
-    writing_ = true;
-    stopped_ = false;
-    refresh();
-    const auto file = std::make_shared<fs::path>();
-    FileWriting::own().start(
-        *this,
-        [project, file, content] {
-            *file = free_study_file(project, content);
-            OutputFile out(*file);
-            out.write(content);
-            out.commit();
-        },
-        [this, file](const QString& wrong) {
-            writing_ = false;
-            problem_ = sentence(wrong);
-            if (!wrong.isEmpty()) return refresh();
-            source_ = {};
-            source_.file = *file;
-            dialog_->show_title(path_text(file->filename()), path_text(*file));
-            if (!stopped_) return begin();
-            problem_ = tr("Stopped. Resume goes on with what was found.");
-            refresh();
-        });
+    dialog_->show_title(path_text(source_.file.filename()), path_text(source_.file));
+    return true;
 }
 
 void StudyController::start() {
-    if (job_.running() || writing_) return;
+    if (job_.running()) return;
     problem_ = dialog()->place()->problem();
     if (!problem_.isEmpty()) return refresh();
     const bool asked_here = source_.file.empty() && source_.folder.empty();
-    asked_here ? write_study() : begin();
-}
-
-void StudyController::begin() {
+    if (asked_here && !write_file()) return refresh();
     const StudyPlace place = dialog_->place()->place();
     if (place.where == StudyPlace::Where::slurm)
         run_on_slurm(!folder_, place);
@@ -278,7 +259,6 @@ void StudyController::stop() {
         problem_ = tr("%1 It goes on there: scancel ends it.").arg(handed_);
         handed_.clear();
     }
-    stopped_ = writing_;
     job_.cancel();
     refresh();
 }
@@ -354,13 +334,13 @@ void StudyController::refresh() {
     const bool missing = !look_ || !look_->outcome.decision.missing.empty() || !look_->outcome.lost.empty();
     const auto chosen = dialog_->chosen();
     const bool adoptable = chosen && look_ && why_not_adopted(*look_, *chosen).isEmpty();
-    const bool at_work = running_ || !handed_.isEmpty() || (writing_ && !stopped_);
+    const bool at_work = running_ || !handed_.isEmpty();
     const bool ready = asks ? document_.has_part() && wrong.isEmpty() : missing;
-    dialog_->show_can({.start = ready && !job_.running() && !at_work && !writing_,
+    dialog_->show_can({.start = ready && !job_.running() && !at_work,
                        .stop = at_work && !(running_ && job_.cancelling()),
                        .adopt = adoptable,
                        .save = look_ != nullptr,
-                       .renew = !at_work && !writing_ && document_.has_part() && !asks,
+                       .renew = !at_work && document_.has_part() && !asks,
                        .start_text = look_ ? tr("&Resume") : tr("&Start")});
     if (asks && document_.has_part())
         dialog_->form()->show_estimate(
@@ -396,24 +376,24 @@ void StudyController::adopt(std::size_t candidate) {
     emit said(MessageBar::Kind::information, adoption.words, true);
 }
 
+void StudyController::write_aside(const QString& path, std::function<std::string()> bytes) {
+    ui::write_file(*this, document_, path, std::move(bytes),
+                   [this, path](const QString& wrong) { report_written(path, wrong); });
+}
+
 void StudyController::export_table() {
     if (!look_) return;
     export_file(dialog_, tr("Export table"), ExportFormat::table, tr("study"), [this](const QString& path) {
-        write_file(
-            *this, document_, path, [look = look_] { return study_csv(*look->folder, look->outcome); },
-            [this, path](const QString& wrong) { report_written(path, wrong); });
+        write_aside(path, [look = look_] { return study_csv(*look->folder, look->outcome); });
     });
 }
 
 void StudyController::export_picture() {
     if (!look_) return;
-    export_file(dialog_, tr("Export picture"), ExportFormat::picture, tr("study"),
-                [this](const QString& path) {
-                    write_file(
-                        *this, document_, path,
-                        [picture = dialog_->picture()->picture(picture_size)] { return png_bytes(picture); },
-                        [this, path](const QString& wrong) { report_written(path, wrong); });
-                });
+    export_file(
+        dialog_, tr("Export picture"), ExportFormat::picture, tr("study"), [this](const QString& path) {
+            write_aside(path, [p = dialog_->picture()->picture(picture_size)] { return png_bytes(p); });
+        });
 }
 
 } // namespace facetmill::ui

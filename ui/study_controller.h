@@ -59,8 +59,8 @@ private:
     void connect_dialog();
     void new_study();
     void ask_for_study();
-    void write_study();
-    void begin();
+    bool write_file();
+    void write_aside(const QString& path, std::function<std::string()> bytes);
     void run(bool make, const StudyPlace& place);
     void run_on_slurm(bool make, const StudyPlace& place);
     void end(StudyLookPtr look, const JobEnd& end);
@@ -80,8 +80,6 @@ private:
     Source source_;
     std::shared_ptr<const StudyFolder> folder_;
     StudyLookPtr look_;
-    bool writing_ = false; ///< the file of the study that was asked for
-    bool stopped_ = false; ///< meanwhile: it is not to begin
     std::shared_ptr<StudyNews> news_;
     std::string drafted_; ///< the project that the form was made from
     QString problem_;     ///< why the last thing did not work
