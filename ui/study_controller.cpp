@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QTabWidget>
+#include <functional>
 
 #include <algorithm>
 #include <system_error>
@@ -376,24 +377,28 @@ void StudyController::adopt(std::size_t candidate) {
     emit said(MessageBar::Kind::information, adoption.words, true);
 }
 
-void StudyController::write_aside(const QString& path, std::function<std::string()> bytes) {
-    ui::write_file(*this, document_, path, std::move(bytes),
-                   [this, path](const QString& wrong) { report_written(path, wrong); });
+/// Writes to a path what `bytes` returns, aside, and tells what came of it.
+static std::function<void(const QString&)>
+written_aside(QObject& owner, const Document& document, std::function<std::string()> bytes,
+              std::function<void(const QString& path, const QString& wrong)> told) {
+    return [&owner, &document, bytes = std::move(bytes), told = std::move(told)](const QString& path) {
+        write_file(owner, document, path, bytes, [told, path](const QString& wrong) { told(path, wrong); });
+    };
 }
 
 void StudyController::export_table() {
     if (!look_) return;
-    export_file(dialog_, tr("Export table"), ExportFormat::table, tr("study"), [this](const QString& path) {
-        write_aside(path, [look = look_] { return study_csv(*look->folder, look->outcome); });
-    });
+    const auto lines = [look = look_] { return study_csv(*look->folder, look->outcome); };
+    const auto told = std::bind_front(&StudyController::report_written, this);
+    export_file(dialog_, tr("Export table"), ExportFormat::table, tr("study"),
+                written_aside(*this, document_, lines, told));
 }
 
 void StudyController::export_picture() {
-    if (!look_) return;
-    export_file(
-        dialog_, tr("Export picture"), ExportFormat::picture, tr("study"), [this](const QString& path) {
-            write_aside(path, [p = dialog_->picture()->picture(picture_size)] { return png_bytes(p); });
-        });
+    const auto png = [picture = dialog_->picture()->picture(picture_size)] { return png_bytes(picture); };
+    const auto told = std::bind_front(&StudyController::report_written, this);
+    export_file(dialog_, tr("Export picture"), ExportFormat::picture, tr("study"),
+                written_aside(*this, document_, png, told));
 }
 
 } // namespace facetmill::ui

@@ -60,7 +60,6 @@ private:
     void new_study();
     void ask_for_study();
     bool write_file();
-    void write_aside(const QString& path, std::function<std::string()> bytes);
     void run(bool make, const StudyPlace& place);
     void run_on_slurm(bool make, const StudyPlace& place);
     void end(StudyLookPtr look, const JobEnd& end);
