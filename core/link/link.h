@@ -66,8 +66,8 @@ ToolMotions link_five_axis(const StrategyResult& path, const PlanContext& contex
 
 /// Joins the passes of roughing over the stock as it stands at each moment: straight at feed where the way is
 /// cut already and short, else up to what stands on the way plus clearance (and never nearer to the part),
-/// over it in a rapid, down in a rapid to the clearance over what stands there, and in by the pass's entry at
-/// feed. `allowance` as above. Throws Error(out_of_range).
+/// over it in a rapid, down in a rapid to the clearance over what stands there, or half the cutter's radius
+/// where that is less, and in by the pass's entry at feed. `allowance` as above. Throws Error(out_of_range).
 ToolMotions link_rough(const StrategyResult& path, const PlanContext& context, double allowance,
                        const LinkOptions& options, const Progress& progress);
 

@@ -103,7 +103,7 @@ private:
             rapid(Vec3(b.x(), b.y(), at_.z()));
         }
         const double down = std::max({clear_height(b, b), reach_.tip_z(b, hints_), start.z()})
-                            + std::min(options_.clearance, profile_.max_radius());
+                            + up_.near_to_stock(options_.clearance);
         if (down < at_.z()) rapid(Vec3(b.x(), b.y(), down));
     }
 
@@ -121,7 +121,7 @@ private:
             up_.is_free(field_, at_)
                 ? at_.z()
                 : std::max({at_.z(), reach_.tip_z(p, hints_), field_.clear_height(cutter_, p, p)});
-        const double out = from + std::min(options_.clearance, profile_.max_radius());
+        const double out = from + up_.near_to_stock(options_.clearance);
         if (z > at_.z()) feed(MotionKind::retract, Vec3(at_.x(), at_.y(), std::min(z, out)));
         if (z > at_.z()) rapid(Vec3(at_.x(), at_.y(), z));
     }

@@ -8,6 +8,9 @@ namespace facetmill {
 
 namespace {
 
+/// In radii of the cutter, where the clearance is more.
+constexpr double near_share = 0.5;
+
 /// Whether shank and holder, all of them, are as wide as the cutter.
 bool is_wide_above(const Tool& tool, double radius) {
     double narrowest = tool.shank_length > 0 ? tool.shank_diameter : infinity;
@@ -33,6 +36,10 @@ bool StraightUp::stands_above(const StockField& field, const Vec2& a, const Vec2
 bool StraightUp::is_free(const StockField& field, const Vec3& tip) const {
     const Vec2 p = tip.head<2>();
     return !undercut_ && (wide_above_ || !stands_above(field, p, p, tip.z()));
+}
+
+double StraightUp::near_to_stock(double clearance) const {
+    return std::min(clearance, near_share * radius_);
 }
 
 } // namespace facetmill

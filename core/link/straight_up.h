@@ -1,4 +1,5 @@
-// Straight up out of a cut: how soon that may be a rapid. Millimetres, part coordinates, the tool's axis +Z.
+// Straight up out of a cut and down to one: how much of that may be a rapid. Millimetres, part coordinates,
+// the tool's axis +Z.
 #pragma once
 
 #include "core/setup/tool.h"
@@ -17,6 +18,9 @@ public:
     /// Whether the cutter comes up from a tip without cutting: beside a shank and a holder that are as wide
     /// what would stand in its way stood in theirs; beside slimmer ones nothing may stand above the flutes.
     bool is_free(const StockField& field, const Vec3& tip) const;
+    /// How near to what stands a rapid straight up or down comes: the clearance, or half the cutter's radius
+    /// where that is less.
+    double near_to_stock(double clearance) const;
 
 private:
     double radius_, height_;

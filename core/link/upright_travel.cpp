@@ -18,8 +18,6 @@ constexpr double worth_share = 0.5;
 constexpr double aside_share = 0.75;
 /// The size of the field's cells in radii of the cutter. What it tells is never too low.
 constexpr double field_cell_share = 0.1;
-/// How near to what stands a rapid straight down comes, in radii too, where the clearance is more.
-constexpr double near_share = 0.5;
 /// What a level rapid keeps from the part sideways, in radii: what lies between two places that are looked at
 /// may take it.
 constexpr double level_share = 0.02;
@@ -40,8 +38,8 @@ UprightTravel::UprightTravel(const PlanContext& context, double allowance, const
                    level_share * profile_.max_radius()),
       wide_spacing_(std::min(safe_spacing(wide_lift_.profile(), level_share * profile_.max_radius()),
                              wide_bodies_.spacing())),
-      clearance_(std::min(options.clearance, near_share * profile_.max_radius())),
-      level_clearance_(options.clearance), top_(top), up_(context.tool), reach_(2 * profile_.max_radius()) {
+      up_(context.tool), clearance_(up_.near_to_stock(options.clearance)),
+      level_clearance_(options.clearance), top_(top), reach_(2 * profile_.max_radius()) {
     if (context.stock.box.empty() && context.earlier.empty()) return;
     for (const HolderSection& s : context.tool.holder)
         reach_ = std::max(reach_, 0.5 * s.diameter + profile_.max_radius());

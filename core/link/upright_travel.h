@@ -81,8 +81,8 @@ private:
     AxialLift wide_lift_; ///< for rapids, of which fewer places are looked at
     HolderReach wide_bodies_;
     double wide_spacing_;
-    double clearance_, level_clearance_, top_;
     StraightUp up_;
+    double clearance_, level_clearance_, top_;
     /// How far from a tip is asked: half a radius beside it, and there the widest body.
     double reach_;
     std::optional<LaterCuts> stock_;
