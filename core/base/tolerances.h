@@ -154,9 +154,9 @@ inline constexpr double grazing_roundings = 1e-14;
 inline constexpr double vanishing_outline = 1e-13;
 /// Two ends of stretches on a line that differ by less (mm) are the same.
 inline constexpr double probe_rounding = 1e-9;
-/// Shank, holder or rapid reaching less deep (mm) into the part only touch it.
+/// Shank, holder or rapid reaching less deep (mm) into part or stock only touch it.
 inline constexpr double collision_depth = 1e-3;
-/// And from here on it is one, mm, whatever may be missing of the part.
+/// And from here on it is a collision, mm, whatever may be missing of the part.
 inline constexpr double max_collision_depth = 0.01;
 
 } // namespace facetmill::tolerance

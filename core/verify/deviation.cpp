@@ -79,6 +79,10 @@ std::vector<std::uint32_t> neighbors_together(const std::vector<Vec3>& points, c
     return order;
 }
 
+double collision_limit(double gouge_limit) {
+    return std::clamp(gouge_limit, tolerance::collision_depth, tolerance::max_collision_depth);
+}
+
 namespace {
 
 /// What thread-blocks of probes leave besides their samples' own values.
@@ -94,8 +98,7 @@ public:
     SampleProbe(const std::vector<ProgramProbes>& bodies, const StockExit& exit_of, const MeshSight& sight,
                 const ProbeAims& aims)
         : bodies_(bodies), exit_of_(exit_of), sight_(sight), standing_(sight, aims.allowance, aims.far),
-          aims_(aims), collision_limit_(std::clamp(aims.gouge_limit, tolerance::collision_depth,
-                                                   tolerance::max_collision_depth)),
+          aims_(aims), collision_limit_(collision_limit(aims.gouge_limit)),
           deep_hints_(bodies.size(), no_index), hints_(bodies.size(), no_index), nearby_(bodies.size()),
           block_(bodies.size()) {
         findings_.program_gouges.assign(bodies.size(), 0);

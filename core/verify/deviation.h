@@ -32,6 +32,10 @@ struct ProbeAims {
     double short_by = 0;    ///< mm; surface is bare where the stock ends more than this below it
 };
 
+/// How deep (mm) shank, holder and what moves in a rapid may come into part or stock and only touch it: as
+/// deep as a cutter may, but never less nor more than measuring tells apart.
+double collision_limit(double gouge_limit);
+
 /// Probes the samples of the part grown by the allowance, and sets the flag `bare` of those that the stock
 /// does not reach. Where axes turn, the probes are exact to the bound. What is missing by less than the gouge
 /// limit is no collision. What stands higher than `far` on a sample is measured by Standing.

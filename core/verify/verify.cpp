@@ -29,8 +29,8 @@ namespace {
 constexpr double resolution_share = 0.05;
 /// The same where cutting would take long and the stock is not judged.
 constexpr double lightest_share = 0.125;
-/// By how much bodies that must not touch are made smaller, in resolutions: above the rounding of rays, and
-/// far below the depth that the rays tell.
+/// By how much bodies that must not touch the stock are made smaller at least, in resolutions: above the
+/// rounding of rays, and far below the depth that the rays tell.
 constexpr double touch_share = 0.02;
 /// What probes may be off where the axis turns, in tolerances: it adds nothing to a figure that is shown.
 constexpr double probe_share = 0.01;
@@ -306,7 +306,8 @@ struct Prepared {
 };
 
 MaterialRemoval removal_of(std::span<const VerifyProgram> programs, const VerifySettings& used) {
-    return {programs, used.motion_bound, touch_share * used.resolution, used.max_stock_bytes};
+    const double touch = std::max(touch_share * used.resolution, collision_limit(used.gouge_limit));
+    return {programs, used.motion_bound, touch, used.max_stock_bytes};
 }
 
 /// Coarser until cutting asks rays no more often than is usual.

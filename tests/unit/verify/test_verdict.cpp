@@ -452,6 +452,33 @@ private slots:
         QVERIFY(reason(through, UncutReason::Why::not_cut) && !reason(through, UncutReason::Why::stock));
     }
 
+    /// A shank that rubs less deep in what stands than a cutter may go into the part is no collision.
+    void a_shank_may_rub_as_deep_as_the_gouge_limit() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 12;
+        Tool slot = flat_tool(4), wide_above = slot;
+        slot.flute_length = 20;
+        wide_above.flute_length = 5;
+        wide_above.shank_length = 40;
+        const auto collisions = [&](double rub, double gouge_limit) {
+            wide_above.shank_diameter = 4 + 2 * rub;
+            const std::array<VerifyProgram, 2> programs{lines(slot, Vec2(-30, 0), Vec2(30, 0), 2, 1),
+                                                        lines(wide_above, Vec2(-30, 0), Vec2(30, 0), 2, 1)};
+            VerifySettings s = asked();
+            s.resolution = 0.2;
+            s.gouge_limit = gouge_limit;
+            return verify(part, stock, programs, s, Progress()).collisions;
+        };
+        QVERIFY(collisions(0.0045, 0.005).empty());
+        QVERIFY(!collisions(0.0045, 0.001).empty());
+        const auto deep = collisions(0.02, 0.005);
+        QVERIFY(!deep.empty() && deep[0].kind == Collision::Kind::shank);
+        QVERIFY2(std::abs(deep[0].depth - 0.02) < 1e-4, qPrintable(QString::number(deep[0].depth)));
+        // However much may be missing of the part, a hundredth of a millimetre is one.
+        QVERIFY(!collisions(0.02, 0.1).empty());
+    }
+
     /// A ball that is kept above the bottom of the stock leaves the lower end of a steep side, which it would
     /// cut from farther down; when it goes down there itself that is no reason.
     void what_the_bottom_keeps_off() {
