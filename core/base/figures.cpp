@@ -7,8 +7,10 @@
 namespace facetmill {
 
 namespace {
-constexpr double min_share = 1e-4, nothing = 1e-7;
-}
+constexpr double min_share = 1e-4;
+/// In either unit: far below what a machine tells apart.
+constexpr double nothing = 5e-6;
+} // namespace
 
 std::string percent_text(double share, int digits) {
     if (share > 0 && share < min_share) return "< " + format_number(100 * min_share) + " %";

@@ -212,6 +212,7 @@ private slots:
         QCOMPARE(length_text(0.02, LengthUnit::inch), std::string("0.0007874 in"));
         QCOMPARE(coordinate_text(-1.2e-16), std::string("0"));
         QCOMPARE(coordinate_text(12.345678), std::string("12.346"));
+        QCOMPARE(coordinate_text(4.1234e-7), std::string("0"));
     }
 
     void parameters_read_in_units() {
