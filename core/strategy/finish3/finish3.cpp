@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/finish3/finish_warnings.h"
+#include "core/strategy/finish3/overlooked_lines.h"
 #include "core/strategy/finish3/partial_lines.h"
 #include "core/strategy/finish3/pass_filter.h"
 #include "core/strategy/finish3/pass_maker.h"
@@ -36,6 +37,13 @@ constexpr double max_places = 2e9;
 /// Where more than this share of the surface stays that the cutter could reach, the other direction is
 /// planned too, and taken where it leaves less than this share of that.
 constexpr double much_left = 0.002, better_left = 0.7;
+/// Where more than this share of the surface is passed by, lines are laid through it, so often at most; they
+/// are kept if they leave less than this share of that.
+constexpr double max_overlooked = 0.0005, worth_lines = 0.5;
+constexpr int overlooked_rounds = 3;
+/// Tips beside such a place cut it no farther away than this share of the step on a level plane, seen along
+/// the surface: what a line leaves grows with the square.
+constexpr double overlooked_share = 0.5;
 /// The same where it is expected to travel less than this share; taken where it does travel less than that.
 constexpr double less_expected = 0.9, less_travel = 0.95;
 
@@ -72,6 +80,8 @@ private:
     void check_size(const StepOver& stepover) const;
     void check_planes(std::size_t planes) const;
     void check_uncut(const Progress& progress);
+    void add_overlooked(std::vector<Pass> planned, const Progress& progress);
+    std::vector<PlannedLine> overlooked() const;
     void order_passes(const Progress& progress);
     ContactAt contact_at() const {
         return [this](const Vec3& tip) { return maker_->contact(tip); };
@@ -167,8 +177,13 @@ PlannedPasses Planner::run(double direction, bool judged) {
     // Moves may run above the exact path by the chord tolerance.
     result_.cusp_max += chord_;
     result_.chord_tolerance = chord_;
+    std::vector<Pass> planned;
+    if (judged) planned = result_.passes;
     filter_.leave_out_held_up(result_.passes, still(placed(1)));
-    if (judged) check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
+    if (judged) {
+        check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
+        add_overlooked(std::move(planned), still(1));
+    }
     filter_.leave_out_air(result_.passes, still(1));
     order_passes(still(1));
     // With only rest asked for, what is not passed was mostly cut before.
@@ -353,7 +368,49 @@ void Planner::check_uncut(const Progress& progress) {
     input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
     input.passes = result_.passes;
     input.left_out = filter_.held().left;
+    input.tell_passed = !settings_.stepover.is_number();
     uncut_ = find_uncut(input, progress);
+}
+
+/// Lines through what passes go by though the cutter could reach it. `planned`: the passes before shank and
+/// holder kept any of them.
+void Planner::add_overlooked(std::vector<Pass> planned, const Progress& progress) {
+    const auto is_much = [&] { return uncut_.passed_by.area > max_overlooked * uncut_.area; };
+    if (settings_.stepover.is_number() || !is_much()) return;
+    const UncutReport before = uncut_;
+    const std::vector<Pass> without = planned;
+    const int lines_before = lines_;
+    for (int round = 0; round < overlooked_rounds && is_much(); ++round) {
+        const std::vector<PlannedLine> lines = overlooked();
+        if (lines.empty()) break;
+        check_planes(std::size_t(lines_) + lines.size());
+        result_.passes = std::move(planned);
+        add_passes(lines, progress);
+        planned = result_.passes;
+        filter_.leave_out_held_up(result_.passes, progress);
+        check_uncut(progress);
+    }
+    if (uncut_.passed_by.area > worth_lines * before.passed_by.area) {
+        lines_ = lines_before;
+        result_.passes = without;
+        filter_.leave_out_held_up(result_.passes, progress);
+        uncut_ = before;
+    } else if (uncut_.passed_by.area == 0) {
+        unsatisfied_ = 0; // what no step served lines through it did
+    }
+}
+
+std::vector<PlannedLine> Planner::overlooked() const {
+    const double wide = overlooked_share * stepover_->first_guess(), least = stepover_->smallest_step();
+    std::vector<OverlookedTip> tips;
+    for (const Vec3& tip : uncut_.passed_tips) {
+        // Across the lines, and so seen from above, a steep side is narrow.
+        const Vec3 normal = maker_->contact(tip).normal;
+        const double across = std::hypot(normal.z(), frame_.v(normal));
+        const double width = across > 0 ? wide * normal.z() / across : wide;
+        tips.push_back({frame_.u(tip), frame_.v(tip), std::max(width, least)});
+    }
+    return overlooked_lines(std::move(tips), 2 * cover_.radius());
 }
 
 /// Pieces that lie side by side one after another, instead of every plane from border to border.
