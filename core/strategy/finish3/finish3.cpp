@@ -99,7 +99,7 @@ private:
     CutterProfile profile_;
     CutterCover cover_;
     AxialLift lift_, near_;
-    WallFeet walls_;
+    UprightWalls walls_;
     DriveFrame frame_;
     std::optional<ContactDomain> domain_;
     LineTolerance fine_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/strategy/finish3/partial_lines.h"
-#include "core/strategy/finish3/wall_feet.h"
+#include "core/strategy/finish3/upright_walls.h"
 
 namespace facetmill {
 
@@ -11,9 +11,9 @@ public:
     /// `near`: the lift of the cutter grown by the cusp that may stay: what it does not meet is not cut from
     /// there. `tolerance`: of the tips' path; `normal_limit` (radians): the most that the surface's normal
     /// turns from contact to contact. What is given has to live as long as this; `field` has no bodies.
-    PassMaker(const StepOver& stepover, const LiftField& field, const AxialLift& near, const WallFeet& walls,
-              const CutterCover& cover, const DriveFrame& frame, const LineTolerance& tolerance,
-              double normal_limit)
+    PassMaker(const StepOver& stepover, const LiftField& field, const AxialLift& near,
+              const UprightWalls& walls, const CutterCover& cover, const DriveFrame& frame,
+              const LineTolerance& tolerance, double normal_limit)
         : stepover_(stepover), field_(field), near_(near), walls_(walls), cover_(cover), frame_(frame),
           fine_(tolerance), normal_limit_(normal_limit) {}
 
@@ -36,7 +36,7 @@ private:
     const StepOver& stepover_;
     LiftField field_;
     const AxialLift& near_;
-    const WallFeet& walls_;
+    const UprightWalls& walls_;
     const CutterCover& cover_;
     DriveFrame frame_;
     LineTolerance fine_;

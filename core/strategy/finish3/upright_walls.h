@@ -7,10 +7,10 @@ namespace facetmill {
 
 /// Upright facets (tolerance::vertical_normal_z) hold no tool up: one that passes beside them goes down as
 /// far as they do, and clears them with its side.
-class WallFeet {
+class UprightWalls {
 public:
     /// `reach`: of the tool's side from its axis.
-    WallFeet(const Mesh& mesh, double reach, const Progress& progress);
+    UprightWalls(const Mesh& mesh, double reach, const Progress& progress);
 
     /// The lowest point of walls within reach of an axis; +infinity without any.
     double lowest(const Vec2& axis) const;

@@ -1,4 +1,4 @@
-#include "core/strategy/finish3/wall_feet.h"
+#include "core/strategy/finish3/upright_walls.h"
 
 #include "core/base/tolerances.h"
 #include "core/strategy/surface/surface_lines.h"
@@ -17,7 +17,7 @@ Vec3 flat(const Vec3& p) {
 
 } // namespace
 
-WallFeet::WallFeet(const Mesh& mesh, double reach, const Progress& progress) : reach_(reach) {
+UprightWalls::UprightWalls(const Mesh& mesh, double reach, const Progress& progress) : reach_(reach) {
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
         if (f % walls_per_check == 0) progress.check();
         const Vec3 n = mesh.facet_normal(f);
@@ -30,7 +30,7 @@ WallFeet::WallFeet(const Mesh& mesh, double reach, const Progress& progress) : r
     if (!walls_.facets.empty()) grid_.emplace(walls_, progress);
 }
 
-double WallFeet::lowest(const Vec2& axis) const {
+double UprightWalls::lowest(const Vec2& axis) const {
     double lowest = infinity;
     if (!grid_) return lowest;
     const Vec3 from(axis.x(), axis.y(), 0);
