@@ -8,7 +8,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
@@ -50,12 +49,12 @@ vtkSmartPointer<vtkPolyData> data_of(const CSpaceTriangles& triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const float* p = &triangles.points[9 * t + 3 * k];
             cells->InsertCellPoint(points->InsertNextPoint(p));
+            colors->InsertNextTypedTuple(&triangles.colors[4 * t]);
         }
-        colors->InsertNextTypedTuple(&triangles.colors[4 * t]);
     }
     data->SetPoints(points);
     data->SetPolys(cells);
-    data->GetCellData()->SetScalars(colors);
+    data->GetPointData()->SetScalars(colors); // not the cells': see OverlayCanvas
     return data;
 }
 
@@ -81,7 +80,7 @@ struct Drawn {
         actor->PickableOff();
         actor->VisibilityOff();
         mapper->SetResolveCoincidentTopologyToPolygonOffset();
-        mapper->SetScalarModeToUseCellData();
+        mapper->SetScalarModeToUsePointData();
         mapper->ScalarVisibilityOn();
     }
     void set(vtkPolyData* data) {

@@ -4,8 +4,8 @@
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
@@ -50,7 +50,9 @@ OverlayCanvas::OverlayCanvas(vtkRenderer* renderer) : renderer_(renderer) {
     shape_colors_->SetNumberOfComponents(4);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(shapes_);
-    mapper->SetScalarModeToUseCellData();
+    // A colour for each corner, though a shape has one: colours of cells reach the shader as a buffer, for
+    // each kind of whose size OpenGL without a graphics card makes a shader of its own, which takes it 30 ms.
+    mapper->SetScalarModeToUsePointData();
     mapper->ScalarVisibilityOn();
     shapes_actor_ = vtkSmartPointer<vtkActor2D>::New();
     shapes_actor_->SetMapper(mapper);
@@ -97,10 +99,11 @@ std::string OverlayCanvas::shortened(const std::string& english, double width, d
 
 void OverlayCanvas::polygon(const std::vector<Vec2>& corners, const Rgb& color, double alpha) {
     std::vector<vtkIdType> ids;
-    for (const Vec2& c : corners)
+    for (const Vec2& c : corners) {
         ids.push_back(shape_points_->InsertNextPoint(c.x() * ratio_, height_ - c.y() * ratio_, 0.0));
+        shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255 * alpha);
+    }
     shapes_->GetPolys()->InsertNextCell(vtkIdType(ids.size()), ids.data());
-    shape_colors_->InsertNextTuple4(255 * color.r, 255 * color.g, 255 * color.b, 255 * alpha);
 }
 
 void OverlayCanvas::rectangle(double x0, double y0, double x1, double y1, const Rgb& color, double alpha) {
@@ -154,7 +157,7 @@ void OverlayCanvas::begin() {
     shape_colors_->Reset();
     shapes_->SetPoints(shape_points_);
     shapes_->SetPolys(vtkSmartPointer<vtkCellArray>::New());
-    shapes_->GetCellData()->SetScalars(shape_colors_);
+    shapes_->GetPointData()->SetScalars(shape_colors_);
     texts_used_ = 0;
 }
 
