@@ -1,6 +1,7 @@
 // How the benches of the window measure: pauses of the event loop.
 #pragma once
 
+#include "tests/screenshot/pause_trace.h"
 #include "ui/main_window.h"
 #include "ui/viewport.h"
 
@@ -88,9 +89,11 @@ private:
         const ThreadTimes now = clock_.now(), round = now.since(last_);
         if (round.wall > longest_.wall) longest_ = round;
         max_ = std::max(max_, round.computed);
-        last_ = now;
+        if (trace_) trace_->round_ended();
+        last_ = clock_.now();
     }
     QTimer timer_;
+    std::unique_ptr<PauseTrace> trace_ = PauseTrace::as_asked();
     ThreadClock clock_;
     ThreadTimes last_, longest_;
     qint64 max_ = 0;
