@@ -41,12 +41,14 @@ CornersByVertex corners_by_vertex(const Mesh& mesh, const Progress& progress) {
     return by;
 }
 
-double corner_angle(const Mesh& mesh, std::size_t corner) {
+/// What a corner's facet counts in the normal there: its angle, so that how a surface is divided does not
+/// matter, times its area, so that a wide level face stays level beside the narrow facets of its rounded rim.
+double corner_weight(const Mesh& mesh, std::size_t corner) {
     const std::size_t f = corner / 3;
     const int k = int(corner % 3);
     const Vec3 a = mesh.corner(f, (k + 1) % 3) - mesh.corner(f, k),
                b = mesh.corner(f, (k + 2) % 3) - mesh.corner(f, k);
-    return angle_between(a, b);
+    return angle_between(a, b) * a.cross(b).norm();
 }
 
 /// The display vertices of a run of mesh vertices.
@@ -58,18 +60,18 @@ class Splitter {
 public:
     Splitter(const Mesh& mesh, const CornersByVertex& by, const std::vector<Vec3>& facet_normals,
              const Vec3& center, std::vector<std::int32_t>& triangles)
-        : mesh_(mesh), by_(by), facet_normals_(facet_normals), center_(center), triangles_(triangles) {}
+        : mesh_(mesh), by_(by), facet_normals_(facet_normals), center_(center), triweights_(triangles) {}
 
     /// Writes the triangles' corners at `v` as numbers within the block.
     void split(std::size_t v, VertexBlock& out) {
         const std::uint32_t* first = by_.corners.data() + by_.start[v];
         const std::size_t n = by_.start[v + 1] - by_.start[v];
         if (n == 0) return;
-        angles_.resize(n);
+        weights_.resize(n);
         Vec3 sum = Vec3::Zero();
         for (std::size_t i = 0; i < n; ++i) {
-            angles_[i] = corner_angle(mesh_, first[i]);
-            sum += angles_[i] * facet_normals_[first[i] / 3];
+            weights_[i] = corner_weight(mesh_, first[i]);
+            sum += weights_[i] * facet_normals_[first[i] / 3];
         }
         const double length = sum.norm();
         bool smooth = length > 0.0;
@@ -78,7 +80,7 @@ public:
         if (smooth) {
             const std::int32_t index = add(v, sum / length, out);
             for (std::size_t i = 0; i < n; ++i)
-                triangles_[first[i]] = index;
+                triweights_[first[i]] = index;
             return;
         }
         // At a crease every facet joins the facets of the fan that it is smooth with. Long fans, the tips of
@@ -92,17 +94,17 @@ public:
                 normal.setZero();
                 for (std::size_t j = 0; j < n; ++j)
                     if (const Vec3& other = facet_normals_[first[j] / 3]; own.dot(other) >= cos_crease_)
-                        normal += angles_[j] * other;
+                        normal += weights_[j] * other;
                 const double norm = normal.norm();
                 normal = norm > 0.0 ? Vec3(normal / norm) : own;
             }
             const auto same =
                 std::find_if(made_.begin(), made_.end(), [&](const Made& m) { return m.normal == normal; });
             if (n <= longest_fan && same != made_.end()) {
-                triangles_[first[i]] = same->index;
+                triweights_[first[i]] = same->index;
             } else {
                 made_.push_back({normal, add(v, normal, out)});
-                triangles_[first[i]] = made_.back().index;
+                triweights_[first[i]] = made_.back().index;
             }
         }
     }
@@ -126,9 +128,9 @@ private:
     const CornersByVertex& by_;
     const std::vector<Vec3>& facet_normals_;
     const Vec3 center_;
-    std::vector<std::int32_t>& triangles_;
+    std::vector<std::int32_t>& triweights_;
     const double cos_crease_ = std::cos(crease_angle);
-    std::vector<double> angles_;
+    std::vector<double> weights_;
     std::vector<Made> made_;
 };
 

@@ -182,6 +182,34 @@ private slots:
             QVERIFY((vec(d->normals, v) - vec(d->points, v).normalized()).norm() < 0.02);
     }
 
+    /// A level disc, divided into few long facets, with a rim that is round in narrow ones: the disc is not
+    /// shaded as a cushion.
+    void a_level_face_beside_a_rounded_rim_stays_level() {
+        constexpr int around = 24, steps = 6;
+        constexpr double radius = 50, rounding = 2;
+        auto mesh = std::make_shared<Mesh>();
+        for (int i = 0; i <= steps; ++i)
+            for (int k = 0; k < around; ++k) {
+                const double a = 0.5 * pi * i / steps, b = 2 * pi * k / around,
+                             r = radius + rounding * std::sin(a);
+                mesh->vertices.push_back(Vec3(r * std::cos(b), r * std::sin(b), rounding * std::cos(a)));
+            }
+        for (Index k = 1; k + 1 < around; ++k)
+            mesh->facets.push_back({0, k, k + 1});
+        const std::size_t level = mesh->facets.size();
+        for (Index i = 0; i < steps; ++i)
+            for (Index k = 0; k < around; ++k) {
+                const Index a = i * around + k, b = i * around + (k + 1) % around;
+                mesh->facets.push_back({a, a + around, b + around});
+                mesh->facets.push_back({a, b + around, b});
+            }
+        const auto d = prepare_part_display(mesh, {});
+        for (std::size_t c = 0; c < 3 * level; ++c) {
+            const double z = vec(d->normals, std::size_t(d->triangles[c])).z();
+            QVERIFY2(z > std::cos(radians(3)), qPrintable(QString::number(degrees(std::acos(z)))));
+        }
+    }
+
     void an_open_sheet_has_a_border() {
         const auto d =
             prepare_part_display(sheet_part({0, 0}, {10, 10}, 5, [](double, double) { return 0.0; }), {});
