@@ -44,6 +44,15 @@ vtkNew<vtkTypeInt32Array> counting(std::size_t n) {
     return array;
 }
 
+/// 0, step, ... n * step: where n cells of so many indices begin, and the last one ends.
+vtkSmartPointer<vtkTypeInt32Array> multiples_of(int step, std::size_t n) {
+    auto array = vtkSmartPointer<vtkTypeInt32Array>::New();
+    array->SetNumberOfValues(vtkIdType(n + 1));
+    int value = -step;
+    std::generate_n(array->GetPointer(0), n + 1, [&] { return value += step; });
+    return array;
+}
+
 /// Cells of `size` indices each, at most `most` in a piece; `like` brings points and normals.
 std::vector<vtkSmartPointer<vtkPolyData>> pieces_of(vtkPolyData* like,
                                                     const std::vector<std::int32_t>& indices, int size,
@@ -51,6 +60,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> pieces_of(vtkPolyData* like,
                                                     void (vtkPolyData::*set)(vtkCellArray*)) {
     std::vector<vtkSmartPointer<vtkPolyData>> pieces;
     const std::size_t step = std::max<std::size_t>(1, most) * std::size_t(size);
+    vtkSmartPointer<vtkTypeInt32Array> begins; // of cells: the same in all pieces but the last one
     std::size_t from = 0;
     do {
         auto piece = vtkSmartPointer<vtkPolyData>::New();
@@ -58,7 +68,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> pieces_of(vtkPolyData* like,
         piece->GetPointData()->SetNormals(like->GetPointData()->GetNormals());
         vtkNew<vtkCellArray> cells;
         const std::size_t n = std::min(step, indices.size() - from);
-        cells->SetData(size, borrowed<vtkTypeInt32Array>(indices.data() + from, n, 1));
+        const std::size_t count = n / std::size_t(size);
+        if (!begins || begins->GetNumberOfValues() != vtkIdType(count + 1))
+            begins = multiples_of(size, count);
+        cells->SetData(begins, borrowed<vtkTypeInt32Array>(indices.data() + from, n, 1));
         (piece->*set)(cells);
         pieces.push_back(std::move(piece));
         from += n;

@@ -100,20 +100,25 @@ std::size_t SceneActor::elements() const {
 void ScenePieces::set(SceneStage& stage, const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
                       const Vec3& center) {
     stage.steps.forget();
-    for (auto& piece : more_)
-        stage.renderer->RemoveActor(piece->actor);
-    more_.clear();
+    // Actors are used again: making and destroying them costs more than all else here, and an old one has its
+    // shader.
+    const std::size_t wanted = pieces.empty() ? 0 : pieces.size() - 1;
+    while (more_.size() > wanted) {
+        stage.renderer->RemoveActor(more_.back()->actor);
+        more_.pop_back();
+    }
     if (pieces.empty()) {
         first.clear();
         return;
     }
     first.set_data(pieces.front(), center);
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        auto piece = std::make_unique<SceneActor>();
-        piece->look_like(first);
-        piece->set_data(pieces[i], center);
-        stage.renderer->AddActor(piece->actor);
-        more_.push_back(std::move(piece));
+    while (more_.size() < wanted) {
+        more_.push_back(std::make_unique<SceneActor>());
+        stage.renderer->AddActor(more_.back()->actor);
+    }
+    for (std::size_t i = 0; i < wanted; ++i) {
+        more_[i]->look_like(first);
+        more_[i]->set_data(pieces[i + 1], center);
     }
 }
 

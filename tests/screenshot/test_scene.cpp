@@ -1,13 +1,17 @@
 // Scenes drawn off-screen, held against baseline pictures.
 #include "core/mesh/sample.h"
 #include "tests/screenshot/scene_parts.h"
+#include "tests/support/part_meshes.h"
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_runner.h"
 #include "viz/offscreen.h"
+#include "viz/scene_actor.h"
 #include "viz/strip_display.h"
 
 #include <QDir>
 #include <QTest>
+
+#include <cmath>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -218,6 +222,22 @@ private slots:
         other.show(scene, 480, 360);
         scene.set_view(StandardView::iso);
         QCOMPARE(different_pixels(first, other.render()), std::size_t(0));
+    }
+
+    void a_part_of_more_or_fewer_pieces_leaves_nothing_of_the_one_before() {
+        const auto wave = [](double x, double y) { return 3 * std::sin(x / 9) * std::cos(y / 7); };
+        Scene one;
+        for (const int cells : {250, 150, 280}) { // 125, 45 and 157 thousand facets
+            const auto part =
+                std::make_shared<Mesh>(height_field(wave, Vec2(0, 0), Vec2(cells / 4.0, 60), cells, cells));
+            QVERIFY(part->facets.size() > elements_in_piece);
+            Scene fresh;
+            for (Scene* scene : {&one, &fresh}) {
+                scene->set_visible(Layer::edges, true);
+                scene->part().set(part);
+            }
+            QCOMPARE(different_pixels(drawn(fresh), drawn(one)), std::size_t(0));
+        }
     }
 
     // A float far from the origin is coarse; the scene draws relative to the part's middle.
