@@ -126,8 +126,9 @@ private slots:
         thick.allowance = 0.5;
         const StrategyResult path = planned_on(mesh, thick, ball_tool(6));
         const BruteCutter grown(AptCutter::ball(6.98, 20));
+        const std::vector<PartSample> samples = part_samples(mesh, 3);
         for (const Vec3& tip : tips_of(path, 1))
-            for (const PartSample& s : part_samples(mesh, 3))
+            for (const PartSample& s : samples)
                 QVERIFY(!holds(grown, tip - Vec3(0, 0, 0.49), s.p, path.chord_tolerance));
     }
 
