@@ -6,6 +6,7 @@
 #include "core/strategy/five_axis/finish5.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
+#include "tests/support/path_numbers.h"
 
 #include <memory>
 #include <string>
@@ -45,21 +46,11 @@ inline ToolMotions linked(const StrategyResult& path, const PlanContext& context
                           default_link_options(path, context, op.common()), Progress());
 }
 
+/// Those of the path, and of its leads.
 inline std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min,
-                            path.stepover_max,
-                            path.direction,
-                            path.cusp_max,
-                            path.as<LeadRange>()->lead_min,
-                            path.as<LeadRange>()->lead_max};
-    for (const Pass& p : path.passes) {
-        all.push_back(p.offset);
-        for (std::size_t i = 0; i < p.cl.size(); ++i)
-            for (const Vec3* v : {&p.cl[i].tip, &p.cl[i].axis, &p.cc[i].point, &p.cc[i].normal})
-                all.insert(all.end(), v->data(), v->data() + 3);
-    }
-    for (const CutterContact& c : path.cleanup)
-        all.insert(all.end(), c.point.data(), c.point.data() + 3);
+    std::vector<double> all = path_numbers(path);
+    const auto leads = path.as<LeadRange>();
+    all.insert(all.end(), {leads->lead_min, leads->lead_max});
     return all;
 }
 

@@ -21,7 +21,7 @@ using namespace facetmill::test;
 
 namespace {
 
-constexpr double tolerance = 0.2;
+constexpr double course_tolerance = 0.2;
 
 /// Where the axis is at a share of a motion, by the definition of each way.
 Vec3 on_great_circle(const Vec3& a, const Vec3& b, double s) {
@@ -51,14 +51,14 @@ Tool random_tool(Random& rng) {
     return tool;
 }
 
-struct Work {
+struct CourseJob {
     std::shared_ptr<const PlanResult> plan;
     std::vector<VerifyProgram> programs;
     double gouge_limit = 0;
     std::string about;
 };
 
-Work random_job(std::uint64_t seed) {
+CourseJob random_course_job(std::uint64_t seed) {
     Random rng(seed);
     QTemporaryDir dir;
     const std::filesystem::path folder(dir.path().toStdString());
@@ -74,12 +74,12 @@ Work random_job(std::uint64_t seed) {
     project.tools = {random_tool(rng)};
     auto op = make_operation("finish5");
     op->common().name = "F";
-    op->common().tolerance = tolerance;
+    op->common().tolerance = course_tolerance;
     op->set("grid_degrees", radians(9));
     op->set("posture", std::string(std::array{"cm2", "local", "global"}[std::size_t(whole(rng, 0, 2))]));
     if (whole(rng, 0, 1) == 1) op->set("turn_limit", radians(uniform(rng, 10, 60)));
     project.operations.push_back(std::move(op));
-    Work job;
+    CourseJob job;
     job.plan = Planner().plan(project, {}, Progress());
     job.programs = verify_programs(project, job.plan);
     job.gouge_limit = verify_settings(project, job.plan.get()).gouge_limit;
@@ -153,7 +153,7 @@ private slots:
 
     void every_way_of_turning_is_safe() {
         QFETCH(quint64, seed);
-        const Work job = random_job(seed);
+        const CourseJob job = random_course_job(seed);
         for (const VerifyProgram& program : job.programs) {
             QVERIFY(program.machine && program.motions->motions.size() > 10);
             for (const Way way : {Way::great_circle, Way::chord, Way::joints}) {
@@ -161,7 +161,7 @@ private slots:
                 const NaiveProgram naive{program.tool.cutter.cutter(), course.motions};
                 NaiveOptions options;
                 options.spacing = 0.6;
-                options.tolerance = tolerance;
+                options.tolerance = course_tolerance;
                 options.pose_share = 0.1;
                 options.stock = job.plan->stock.box;
                 const NaiveResult r = naive_check(*job.plan->part->mesh, {&naive, 1}, options);

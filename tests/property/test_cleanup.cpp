@@ -12,6 +12,7 @@
 #include "tests/property/valley_parts.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
+#include "tests/support/path_numbers.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
@@ -35,7 +36,7 @@ PlanContext cleanup_context(const Mesh& mesh, const Tool& tool, const Tool& prev
     return c;
 }
 
-CleanupSettings settings() {
+CleanupSettings cleanup_settings() {
     CleanupSettings s;
     s.tolerance = tau;
     s.tool = 2;
@@ -158,25 +159,11 @@ const PlannedPart& planned(int part, bool noisy, bool along_z) {
     tool.flute_length = std::max(tool.flute_length, v.mesh.box().size().z() + 20);
     p.context = cleanup_context(noisy ? scanned(v.mesh, 0.4 * v.diameter, 0.01, 7) : v.mesh, tool,
                                 ball_tool(v.previous));
-    CleanupSettings s = settings();
+    CleanupSettings s = cleanup_settings();
     if (along_z) s.lift = CleanupSettings::Lift::z;
     p.op = Cleanup(s);
     p.path = p.op.plan(p.context, Progress());
     return p;
-}
-
-std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min, path.stepover_max, path.cusp_max};
-    for (const Pass& p : path.passes)
-        for (const CutterLocation& c : p.cl)
-            all.insert(all.end(), c.tip.data(), c.tip.data() + 3);
-    for (const Strip& s : path.strips) {
-        all.insert(all.end(), {s.area, s.length, s.width});
-        for (const auto& t : s.band)
-            for (const Vec3& v : t)
-                all.insert(all.end(), v.data(), v.data() + 3);
-    }
-    return all;
 }
 
 } // namespace
@@ -384,11 +371,11 @@ private slots:
         const Mesh flat = height_field([](double x, double y) { return 0.01 * (x * x + y * y); },
                                        Vec2(-20, -15), Vec2(20, 15), 40, 30);
         const PlanContext context = cleanup_context(flat, ball_tool(4), ball_tool(12));
-        QCOMPARE(code_of([&] { Cleanup(settings()).plan(context, Progress()); }),
+        QCOMPARE(code_of([&] { Cleanup(cleanup_settings()).plan(context, Progress()); }),
                  std::string("empty_result"));
         PlanContext without = context;
         without.further_tools.clear();
-        QCOMPARE(code_of([&] { Cleanup(settings()).plan(without, Progress()); }),
+        QCOMPARE(code_of([&] { Cleanup(cleanup_settings()).plan(without, Progress()); }),
                  std::string("missing_reference"));
     }
 
@@ -396,9 +383,9 @@ private slots:
         const ValleyPart known = corner_part();
         const PlanContext context = cleanup_context(known.mesh, ball_tool(4), ball_tool(12));
         set_thread_count(1);
-        const auto one = numbers(Cleanup(settings()).plan(context, Progress()));
+        const auto one = path_numbers(Cleanup(cleanup_settings()).plan(context, Progress()));
         set_thread_count(0);
-        const auto many = numbers(Cleanup(settings()).plan(context, Progress()));
+        const auto many = path_numbers(Cleanup(cleanup_settings()).plan(context, Progress()));
         QVERIFY(one == many);
     }
 
@@ -407,8 +394,8 @@ private slots:
         const PlanContext context = cleanup_context(known.mesh, ball_tool(4), ball_tool(12));
         for (int i = 0; i < 10; ++i) {
             Job job;
-            QVERIFY(
-                cancelled_at(job, 0.1 * i, [&](const Progress& p) { Cleanup(settings()).plan(context, p); }));
+            QVERIFY(cancelled_at(job, 0.1 * i,
+                                 [&](const Progress& p) { Cleanup(cleanup_settings()).plan(context, p); }));
         }
     }
 
@@ -420,7 +407,7 @@ private slots:
             const Tool tool = shaped.tool;
             const PlanContext context = cleanup_context(known.mesh, tool, previous);
             // Sharp rims need so many passes that a wider tolerance says as much.
-            CleanupSettings s = settings();
+            CleanupSettings s = cleanup_settings();
             if (tool.corner_radius < 1) s.tolerance = 3 * tau;
             const Cleanup op(s);
             const StrategyResult path = op.plan(context, Progress());

@@ -26,7 +26,7 @@ using namespace facetmill::test;
 
 namespace {
 
-constexpr double tau = 0.1;
+constexpr double reach_tau = 0.1;
 
 /// A floor and a tall wall that leans back by `draft`, their crease along X at the origin.
 Mesh tall_wall(double draft) {
@@ -96,7 +96,7 @@ Verification judged(const Mesh& mesh, const std::vector<VerifyProgram>& programs
     v.resolution = 0.5;
     v.sample_spacing = 0.5;
     v.motion_bound = 0.01;
-    v.tolerance = tau;
+    v.tolerance = reach_tau;
     v.gouge_limit = gouge_limit;
     return verify(mesh, stock, programs, v, Progress());
 }
@@ -132,7 +132,7 @@ public:
         auto o = make_operation(kind);
         o->common().name = name;
         o->common().tool = tool;
-        o->common().tolerance = tau;
+        o->common().tolerance = reach_tau;
         project.operations.push_back(std::move(o));
         return *project.operations.back();
     }
@@ -186,7 +186,7 @@ private slots:
         context.further_tools = {before};
         CleanupSettings s;
         s.tool = 2;
-        s.tolerance = tau;
+        s.tolerance = reach_tau;
         QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
         try {
             Cleanup(s).plan(context, Progress());
@@ -211,7 +211,7 @@ private slots:
 
         const PlanContext first = context_of(mesh, before);
         Finish3Settings f;
-        f.tolerance = tau;
+        f.tolerance = reach_tau;
         const Finish3 finish(f);
         const std::vector<VerifyProgram> programs{program_of(finish, finish.plan(first, Progress()), first),
                                                   program_of(op, path, context)};
@@ -244,7 +244,7 @@ private slots:
                                     .arg(where.z())
                                     .arg(degrees(path.as<LeadRange>()->lead_max));
         qInfo("%s", qPrintable(figures));
-        QVERIFY2(asked > 200 && most <= tau, qPrintable(figures));
+        QVERIFY2(asked > 200 && most <= reach_tau, qPrintable(figures));
     }
 
     /// Hollows as deep as twice the flutes, in a block that nobody roughed: passes come in such an order that
@@ -272,7 +272,7 @@ private slots:
         context.stock.box = context.stock_box; // as it is judged
         CleanupSettings s;
         s.tool = 2;
-        s.tolerance = tau;
+        s.tolerance = reach_tau;
         const Cleanup op(s);
         const auto collisions = [&](const StrategyResult& path) {
             return judged(part, {program_of(op, path, context)}, path.chord_tolerance).collisions.size();
@@ -325,17 +325,17 @@ private slots:
             programs.push_back({"Before", VerifyTool(by), motions, {}});
         };
         went(flat_tool(8), {-34, -26, -18, -10.1});
-        went(ball_tool(12), {-6 - 0.5 * tau});
+        went(ball_tool(12), {-6 - 0.5 * reach_tau});
         CleanupSettings s;
         s.tool = 2;
-        s.tolerance = tau;
+        s.tolerance = reach_tau;
         const Cleanup op(s);
         const StrategyResult path = op.plan(context, Progress());
         double along = 0;
         for (const Pass& pass : path.passes)
             for (std::size_t i = 1; i < pass.cl.size(); ++i) {
                 const Vec3 &a = pass.cl[i - 1].tip, &b = pass.cl[i].tip;
-                if (std::min(a.y(), b.y()) > -2.5 && std::max(a.z(), b.z()) < tau)
+                if (std::min(a.y(), b.y()) > -2.5 && std::max(a.z(), b.z()) < reach_tau)
                     along += std::abs(b.x() - a.x());
             }
         QVERIFY2(along > 25, qPrintable(QString::number(along)));
@@ -355,11 +355,11 @@ private slots:
         context.stock.box = context.stock_box;
         Finish3Settings finish;
         finish.tool = 1;
-        finish.tolerance = tau;
+        finish.tolerance = reach_tau;
         const Finish3 before(finish);
         CleanupSettings s;
         s.tool = 2;
-        s.tolerance = tau;
+        s.tolerance = reach_tau;
         const Cleanup op(s);
         StrategyResult finished = before.plan(context, Progress());
         std::vector<VerifyProgram> programs;
@@ -402,7 +402,7 @@ private slots:
             VerifySettings v;
             v.resolution = v.sample_spacing = 0.3;
             v.motion_bound = 0.01;
-            v.tolerance = tau;
+            v.tolerance = reach_tau;
             v.gouge_limit = path.chord_tolerance;
             const Verification judge = verify(part, stock, programs, v, Progress());
             double most = judge.gouged() ? infinity : 0;
@@ -414,7 +414,7 @@ private slots:
         const double cleaned = most_left();
         programs.pop_back();
         const double alone = most_left();
-        QVERIFY2(alone > 5 * tau && cleaned <= 1.05 * tau,
+        QVERIFY2(alone > 5 * reach_tau && cleaned <= 1.05 * reach_tau,
                  qPrintable(QString("%1 %2").arg(alone).arg(cleaned)));
     }
 
@@ -433,7 +433,7 @@ private slots:
             }
         CleanupSettings s;
         s.tool = 2;
-        s.tolerance = tau;
+        s.tolerance = reach_tau;
         context.left = left;
         QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
         s.left_points = true;
@@ -457,7 +457,7 @@ private slots:
             ++asked;
             most = std::max(most, double(d.deviation[i]));
         }
-        QVERIFY2(asked > 100 && most <= tau, qPrintable(QString("%1 %2").arg(asked).arg(most)));
+        QVERIFY2(asked > 100 && most <= reach_tau, qPrintable(QString("%1 %2").arg(asked).arg(most)));
         // Switched off it is not cut.
         s.switched_off = path.strips[0].name;
         QCOMPARE(code_of([&] { Cleanup(s).plan(context, Progress()); }), std::string("empty_result"));
@@ -500,7 +500,7 @@ private slots:
             return v.gouged() ? infinity : v.figures.excess_max;
         };
         const double before = max_left(1), after = max_left(2);
-        QVERIFY2(before > 5 * tau && after <= 1.05 * tau,
+        QVERIFY2(before > 5 * reach_tau && after <= 1.05 * reach_tau,
                  qPrintable(QString("%1 %2").arg(before).arg(after)));
         // Alone it is the same; planned again nothing is done; what is before it matters.
         const auto alone = Planner().plan(w.project, "Clean-up", Progress());
@@ -509,7 +509,7 @@ private slots:
         const PlannerWork work = planner.work();
         planner.plan(w.project, "", Progress());
         QVERIFY(planner.work() == work);
-        w.project.operations[0]->common().tolerance = 0.5 * tau;
+        w.project.operations[0]->common().tolerance = 0.5 * reach_tau;
         planner.plan(w.project, "", Progress());
         QCOMPARE(planner.work().strategies, work.strategies + 2);
     }

@@ -18,7 +18,7 @@ using namespace facetmill::test;
 
 namespace {
 
-constexpr double tolerance = 0.2;
+constexpr double dirty_tolerance = 0.2;
 
 /// A closed block with a wavy top and a valley.
 Mesh block() {
@@ -72,14 +72,14 @@ Mesh dirtied(const Mesh& clean, Random& rng) {
     return dirty;
 }
 
-struct Work { // what is judged
+struct DirtyWork { // what is judged
     std::shared_ptr<const PreparedPart> part;
     StockSolid stock;
     std::vector<VerifyProgram> programs;
     VerifySettings settings;
 };
 
-Work planned(const Mesh& mesh, const std::string& machine, const std::vector<std::string>& kinds) {
+DirtyWork planned(const Mesh& mesh, const std::string& machine, const std::vector<std::string>& kinds) {
     QTemporaryDir dir;
     const std::filesystem::path folder(dir.path().toStdString());
     save_stl(mesh, folder / "part.stl", LengthUnit::mm, {});
@@ -100,7 +100,7 @@ Work planned(const Mesh& mesh, const std::string& machine, const std::vector<std
     for (const std::string& kind : kinds) {
         auto op = make_operation(kind);
         op->common().name = kind;
-        op->common().tolerance = tolerance;
+        op->common().tolerance = dirty_tolerance;
         if (kind == "cleanup") {
             op->common().tool = 2;
             op->set("previous_tool", 1L);
@@ -109,7 +109,8 @@ Work planned(const Mesh& mesh, const std::string& machine, const std::vector<std
     }
     Planner planner;
     const auto plan = planner.plan(project, {}, Progress());
-    Work job{plan->part, plan->stock, verify_programs(project, plan), verify_settings(project, plan.get())};
+    DirtyWork job{plan->part, plan->stock, verify_programs(project, plan),
+                  verify_settings(project, plan.get())};
     // Five axes take some ten times as long.
     job.settings.resolution = job.settings.sample_spacing = kinds.front() == "finish5" ? 0.8 : 0.35;
     return job;
@@ -121,13 +122,13 @@ struct Verdicts {
     double ours() const { return std::max(verifier.figures.gouge_max, verifier.border.gouge_max); }
 };
 
-Verdicts judged(const Work& job) {
+Verdicts judged(const DirtyWork& job) {
     std::vector<NaiveProgram> naive;
     for (const VerifyProgram& p : job.programs)
         naive.push_back({p.tool.cutter.cutter(), p.motions->motions});
     NaiveOptions options;
     options.spacing = job.settings.sample_spacing;
-    options.tolerance = tolerance;
+    options.tolerance = dirty_tolerance;
     options.stock = job.stock.box;
     options.pose_share = 0.1;
     return {verify(*job.part->mesh, job.stock, job.programs, job.settings, Progress()),
@@ -135,7 +136,7 @@ Verdicts judged(const Work& job) {
 }
 
 /// The same programs, each motion at feed deeper by this.
-void lower(Work& job, double depth) {
+void lower(DirtyWork& job, double depth) {
     for (VerifyProgram& p : job.programs) {
         auto motions = std::make_shared<ToolMotions>(*p.motions);
         for (Motion& m : motions->motions)
@@ -246,7 +247,7 @@ private slots:
         const Mesh clean = block();
         for (int round = first; round < rounds; ++round) {
             const Mesh mesh = round == 0 ? clean : dirtied(clean, rng);
-            Work job = planned(mesh, machine.toStdString(), names);
+            DirtyWork job = planned(mesh, machine.toStdString(), names);
             const Verdicts as_planned = judged(job);
             const double limit = as_planned.verifier.used.gouge_limit;
             const auto text = [&](const Verdicts& v) {

@@ -25,16 +25,16 @@ using namespace facetmill::test;
 namespace {
 
 /// Coarse, so that all kinds with all cutters over all parts take seconds each.
-constexpr double tolerance = 0.3;
+constexpr double kinds_tolerance = 0.3;
 
-struct Part {
+struct KindPart {
     const char* name;
     Mesh mesh;
     bool turns; ///< about X, in round stock
 };
 
-const std::vector<Part>& parts() {
-    static const std::vector<Part> all = [] {
+const std::vector<KindPart>& kind_parts() {
+    static const std::vector<KindPart> all = [] {
         const Vec2 lo(-12, -9), hi(12, 9);
         const auto waves = [](double x, double y) { return 1.5 * std::sin(0.3 * x) * std::cos(0.25 * y); };
         const auto groove = [](double, double y) { return -4 * std::exp(-y * y / 6); };
@@ -55,7 +55,7 @@ const std::vector<Part>& parts() {
             rod.facets.push_back({at(0, 0), at(0, k), at(0, k + 1)});
             rod.facets.push_back({at(rings, 0), at(rings, k + 1), at(rings, k)});
         }
-        return std::vector<Part>{
+        return std::vector<KindPart>{
             {"waves", height_field(waves, lo, hi, 24, 18), false},
             {"groove", height_field(groove, lo, hi, 6, 48), false},
             {"step", only(step(-4, 0), [](const Vec3& p) { return std::abs(p.x()) < 16; }), false},
@@ -72,13 +72,14 @@ Tool numbered(Tool tool, long number) {
 }
 
 /// A job of one operation; its own tool is number 1, a much larger one number 2, a much smaller one number 3.
-class Workplace {
+class KindWorkplace {
     QTemporaryDir dir_;
 
 public:
     Project project;
 
-    Workplace(const Part& part, const std::string& machine, const std::string& kind, const Tool& tool) {
+    KindWorkplace(const KindPart& part, const std::string& machine, const std::string& kind,
+                  const Tool& tool) {
         const std::filesystem::path folder(dir_.path().toStdString());
         save_stl(part.mesh, folder / "part.stl", LengthUnit::mm, {});
         project.path = folder / "p.facetmill";
@@ -96,7 +97,7 @@ public:
         }
         auto op = make_operation(kind);
         op->common().name = "Op";
-        op->common().tolerance = tolerance;
+        op->common().tolerance = kinds_tolerance;
         project.operations.push_back(std::move(op));
     }
 
@@ -131,7 +132,7 @@ using Refusals = std::map<std::string, int>;
 
 /// Plans what fits; null, and why, where it does not. Anything but a refusal in words is a failure of the
 /// test.
-std::shared_ptr<const PlanResult> planned(Workplace& place, Refusals& refusals) {
+std::shared_ptr<const PlanResult> planned(KindWorkplace& place, Refusals& refusals) {
     const auto keys = keys_of_other_tools(*place.project.operations.front());
     for (const long other : {2L, 3L}) {
         std::shared_ptr<const PlanResult> result;
@@ -230,13 +231,13 @@ private slots:
         std::size_t nth = 0;
         for (const OperationKind& k : operation_kinds()) {
             ++nth;
-            for (std::size_t p = 0; p < parts().size(); ++p)
+            for (std::size_t p = 0; p < kind_parts().size(); ++p)
                 for (std::size_t c = 0; c < tools.size(); ++c) {
                     const bool ball_in_groove = p == 1 && c == 0;
                     if (p > 0 && (p + c) % 4 != 0 && !ball_in_groove) continue;
                     if (!all_cases && !ball_in_groove && (nth + c) % 2 != std::min(p, std::size_t(1)))
                         continue;
-                    QTest::addRow("%s %s %s", k.kind.c_str(), parts()[p].name, tools[c].name)
+                    QTest::addRow("%s %s %s", k.kind.c_str(), kind_parts()[p].name, tools[c].name)
                         << QString::fromStdString(k.kind) << int(p) << int(c);
                 }
         }
@@ -246,11 +247,11 @@ private slots:
         QFETCH(QString, kind);
         QFETCH(int, part);
         QFETCH(int, cutter);
-        const Part& p = parts()[std::size_t(part)];
+        const KindPart& p = kind_parts()[std::size_t(part)];
         const std::string name = kind.toStdString();
         const Tool tool = tools_of_every_shape()[std::size_t(cutter)].tool;
         for (const char* machine : mills) {
-            Workplace place(p, machine, name, tool);
+            KindWorkplace place(p, machine, name, tool);
             const auto result = planned(place, refusals_[name]);
             if (!result) continue;
             ++fits_[name];
@@ -259,7 +260,8 @@ private slots:
             for (const auto& op : result->operations) {
                 QVERIFY2(op->cl_points > 0, op->name.c_str());
                 QVERIFY(std::isfinite(op->path.cusp_max) && op->path.cusp_max >= 0);
-                const double chord = op->path.chord_tolerance > 0 ? op->path.chord_tolerance : tolerance / 20;
+                const double chord =
+                    op->path.chord_tolerance > 0 ? op->path.chord_tolerance : kinds_tolerance / 20;
                 const Findings found = gouges(op->program, p.mesh, points, 2 * chord);
                 QVERIFY(found.poses > 10);
                 QVERIFY2(found.gouging == 0, qPrintable(QString("%1 on %2: %3 of %4 poses gouge")
@@ -289,9 +291,9 @@ private slots:
 
     void threads_and_cancelling_change_nothing() {
         QFETCH(QString, kind);
-        for (const Part& part : parts())
+        for (const KindPart& part : kind_parts())
             for (const char* machine : mills) {
-                Workplace place(part, machine, kind.toStdString(), bull_tool(6, 1.5));
+                KindWorkplace place(part, machine, kind.toStdString(), bull_tool(6, 1.5));
                 Refusals unused;
                 const auto result = planned(place, unused);
                 if (!result) continue;
@@ -314,14 +316,14 @@ private slots:
 
     /// The judge itself: a path that was let down by a millimetre is found.
     void a_lowered_path_is_found() {
-        const Part& part = parts().front();
-        Workplace place(part, mills[0], "finish3", ball_tool(6));
+        const KindPart& part = kind_parts().front();
+        KindWorkplace place(part, mills[0], "finish3", ball_tool(6));
         ClSection program = place.plan()->operations.front()->program;
         const auto points = samples_of(part.mesh, 0.7);
-        QCOMPARE(gouges(program, part.mesh, points, tolerance / 10).gouging, std::size_t(0));
+        QCOMPARE(gouges(program, part.mesh, points, kinds_tolerance / 10).gouging, std::size_t(0));
         for (Motion& m : program.motions.motions)
             if (m.kind == MotionKind::cut) m.to.tip.z() -= 1;
-        QVERIFY(gouges(program, part.mesh, points, tolerance / 10).gouging > 100);
+        QVERIFY(gouges(program, part.mesh, points, kinds_tolerance / 10).gouging > 100);
     }
 };
 

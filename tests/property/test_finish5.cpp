@@ -26,10 +26,12 @@ namespace {
 
 using Choice = Finish5Settings::PostureChoice;
 
-const Vec2 low(-12, -8), high(12, 8);
+const Vec2 sheet_low(-12, -8), sheet_high(12, 8);
 
 Mesh sheet(const std::string& name) {
-    const auto field = [](const auto& f, int nx, int ny) { return height_field(f, low, high, nx, ny); };
+    const auto field = [](const auto& f, int nx, int ny) {
+        return height_field(f, sheet_low, sheet_high, nx, ny);
+    };
     if (name == "plane") return field([](double x, double) { return 0.1 * x; }, 2, 2);
     if (name == "cap")
         return field([](double x, double y) { return std::sqrt(900 - x * x - y * y); }, 16, 12);
@@ -56,7 +58,7 @@ Finish5Settings settings(double tolerance, Choice choice = Choice::global) {
 }
 
 /// Deepest that the cutter is in the part, along its axis, over every facet near it.
-double deepest(const BruteCutter& cutter, const Mesh& part, const CutterLocation& at) {
+double deepest_in(const BruteCutter& cutter, const Mesh& part, const CutterLocation& at) {
     const Mat3 turn = turn_between(at.axis, Vec3::UnitZ()).toRotationMatrix();
     double most = -infinity;
     for (const auto& facet : part.facets) {
@@ -169,7 +171,7 @@ private slots:
         int count = 0;
         const auto clear = [&](const CutterLocation& at) {
             if (++count % every != 0) return true;
-            const double depth = deepest(brute, part, at);
+            const double depth = deepest_in(brute, part, at);
             if (depth <= chord) return true;
             qWarning("gouge of %g", depth);
             return false;
@@ -207,7 +209,8 @@ private slots:
     /// leans to the side that falls clears a wider strip than one that leans along the travel far enough to
     /// pass over the side that rises: postures that may lean so have the step-over that this allows.
     void free_postures_make_wide_strips() {
-        const Mesh part = height_field([](double x, double y) { return 0.02 * x * y; }, low, high, 48, 32);
+        const Mesh part =
+            height_field([](double x, double y) { return 0.02 * x * y; }, sheet_low, sheet_high, 48, 32);
         const PlanContext context = five_axis_context(part, cutter("flat"));
         const double tolerance = 0.02;
         const int with_cm2 = Finish5(settings(tolerance, Choice::cm2)).plan(context, Progress()).drive_planes;
@@ -236,7 +239,7 @@ private slots:
     /// Where the border slants every pass ends elsewhere than its neighbours. That is no place the step-over
     /// has to mind: nothing of the part lies between.
     void slanted_borders_ask_for_no_closer_passes() {
-        const Mesh straight = height_field([](double, double) { return 0.0; }, low, high, 24, 16);
+        const Mesh straight = height_field([](double, double) { return 0.0; }, sheet_low, sheet_high, 24, 16);
         Mesh slanted = straight;
         for (Vec3& p : slanted.vertices)
             p.x() *= 1 + 0.015 * p.y();
@@ -447,7 +450,7 @@ private slots:
         // Places beyond the part, where the tool runs out, have nothing under the pass.
         std::size_t on_part = 0;
         for (const FiveAxisRecord::Point& p : record->points)
-            if (std::abs(p.place.surface.x()) < high.x()) {
+            if (std::abs(p.place.surface.x()) < sheet_high.x()) {
                 ++on_part;
                 QVERIFY(p.choice.free);
             }

@@ -7,6 +7,7 @@
 #include "tests/property/shapes.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
+#include "tests/support/path_numbers.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -20,7 +21,7 @@ using namespace facetmill::test;
 
 namespace {
 
-Tool with_holder(Tool tool) {
+Tool with_wide_holder(Tool tool) {
     tool.number = 2;
     tool.flute_length = 25;
     tool.shank_length = 25;
@@ -59,7 +60,7 @@ PlanContext context_for(const Mesh& mesh, const Tool& tool, const Tool& rework) 
     return c;
 }
 
-GlobalLocalSettings settings() {
+GlobalLocalSettings global_local_settings() {
     GlobalLocalSettings s;
     s.tolerance = 0.08;
     s.lead_limit = radians(6);
@@ -100,17 +101,10 @@ Verification judged(const PlanContext& context, const GlobalLocal& op, const Str
     return verify(*context.part, stock, programs, s, Progress());
 }
 
-std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all;
-    for (const StrategyResult* p : {&path, &rework_of(path).path})
-        for (const Pass& pass : p->passes)
-            for (std::size_t i = 0; i < pass.cl.size(); ++i)
-                for (const Vec3* v : {&pass.cl[i].tip, &pass.cl[i].axis, &pass.cc[i].point})
-                    all.insert(all.end(), v->data(), v->data() + 3);
-    for (const Strip& s : path.strips)
-        for (const auto& loop : s.boundaries)
-            for (const Vec3& p : loop)
-                all.insert(all.end(), p.data(), p.data() + 3);
+std::vector<double> both_numbers(const StrategyResult& path) {
+    std::vector<double> all = path_numbers(path);
+    const std::vector<double> rework = path_numbers(rework_of(path).path);
+    all.insert(all.end(), rework.begin(), rework.end());
     return all;
 }
 
@@ -144,9 +138,9 @@ private slots:
         QFETCH(unsigned, seed);
         QFETCH(bool, ball);
         const Mesh part = shell(seed);
-        const PlanContext context =
-            context_for(part, with_holder(flat_tool(10)), with_holder(ball ? ball_tool(3) : flat_tool(2)));
-        GlobalLocalSettings s = settings();
+        const PlanContext context = context_for(part, with_wide_holder(flat_tool(10)),
+                                                with_wide_holder(ball ? ball_tool(3) : flat_tool(2)));
+        GlobalLocalSettings s = global_local_settings();
         if (!ball) s.rework_cutting = GlobalLocalSettings::ReworkCutting::cm2;
         const GlobalLocal op(s);
         const StrategyResult path = op.plan(context, Progress());
@@ -183,8 +177,9 @@ private slots:
     void what_no_place_needs_is_not_reworked() {
         const Mesh part = height_field([](double x, double y) { return -0.004 * (x * x + y * y); },
                                        Vec2(-15, -10), Vec2(15, 10), 30, 20);
-        const PlanContext context = context_for(part, with_holder(flat_tool(8)), with_holder(ball_tool(3)));
-        const GlobalLocal op(settings());
+        const PlanContext context =
+            context_for(part, with_wide_holder(flat_tool(8)), with_wide_holder(ball_tool(3)));
+        const GlobalLocal op(global_local_settings());
         const StrategyResult path = op.plan(context, Progress());
         QCOMPARE(rework_of(path).regions.regions.size(), std::size_t(0));
         QVERIFY(rework_of(path).path.passes.empty());
@@ -200,8 +195,9 @@ private slots:
                 return -0.8 * std::exp(-0.02 * (x * x + y * y)) - 0.003 * (x * x + y * y);
             },
             Vec2(-20, -14), Vec2(20, 14), 80, 56);
-        const PlanContext context = context_for(part, with_holder(flat_tool(10)), with_holder(ball_tool(2)));
-        GlobalLocalSettings s = settings();
+        const PlanContext context =
+            context_for(part, with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(2)));
+        GlobalLocalSettings s = global_local_settings();
         s.lead_limit = radians(1);
         const auto length = [](const StrategyResult& plan) {
             double sum = 0;
@@ -238,8 +234,9 @@ private slots:
     /// Regions that are switched off, or have no tool, are not cut, and that is said.
     void what_is_switched_off_stays() {
         const Mesh part = shell(1);
-        const PlanContext context = context_for(part, with_holder(flat_tool(10)), with_holder(ball_tool(3)));
-        GlobalLocalSettings s = settings();
+        const PlanContext context =
+            context_for(part, with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(3)));
+        GlobalLocalSettings s = global_local_settings();
         s.rework_tool = 0;
         const StrategyResult none = GlobalLocal(s).plan(context, Progress());
         QVERIFY(rework_of(none).path.passes.empty() && rework_of(none).regions.regions.size() > 0
@@ -258,14 +255,15 @@ private slots:
 
     void the_same_bits_with_any_number_of_threads() {
         const Mesh part = shell(2);
-        const PlanContext context = context_for(part, with_holder(flat_tool(10)), with_holder(ball_tool(3)));
-        GlobalLocalSettings s = settings();
+        const PlanContext context =
+            context_for(part, with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(3)));
+        GlobalLocalSettings s = global_local_settings();
         s.tolerance = 0.15;
         const GlobalLocal op(s);
         set_thread_count(1);
-        const auto one = numbers(op.plan(context, Progress()));
+        const auto one = both_numbers(op.plan(context, Progress()));
         set_thread_count(2);
-        const auto two = numbers(op.plan(context, Progress()));
+        const auto two = both_numbers(op.plan(context, Progress()));
         set_thread_count(0);
         QVERIFY(one.size() > 1000);
         QVERIFY(one == two);
@@ -273,12 +271,14 @@ private slots:
 
     void a_cancelled_plan_ends_without_a_trace() {
         const Mesh part = shell(2);
-        const PlanContext context = context_for(part, with_holder(flat_tool(10)), with_holder(ball_tool(3)));
+        const PlanContext context =
+            context_for(part, with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(3)));
         for (const double when : {0.0, 0.05, 0.3, 0.7, 0.8}) {
             Job job;
-            QVERIFY2(
-                cancelled_at(job, when, [&](const Progress& p) { GlobalLocal(settings()).plan(context, p); }),
-                qPrintable(QString::number(when)));
+            QVERIFY2(cancelled_at(
+                         job, when,
+                         [&](const Progress& p) { GlobalLocal(global_local_settings()).plan(context, p); }),
+                     qPrintable(QString::number(when)));
         }
     }
 
@@ -289,8 +289,9 @@ private slots:
     }
     void what_cannot_be_cut_is_an_error() {
         QFETCH(int, number);
-        PlanContext context = context_for(shell(1), with_holder(flat_tool(10)), with_holder(ball_tool(3)));
-        GlobalLocalSettings s = settings();
+        PlanContext context =
+            context_for(shell(1), with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(3)));
+        GlobalLocalSettings s = global_local_settings();
         std::string said, expected = "out_of_range", about;
         switch (number) {
         case 0:
@@ -313,7 +314,7 @@ private slots:
             // A hollow everywhere narrower than the tool.
             context = context_for(height_field([](double x, double y) { return 0.1 * (x * x + y * y); },
                                                Vec2(-8, -8), Vec2(8, 8), 32, 32),
-                                  with_holder(flat_tool(10)), with_holder(ball_tool(3)));
+                                  with_wide_holder(flat_tool(10)), with_wide_holder(ball_tool(3)));
             expected = "empty_result";
             about = "smaller tool";
         }

@@ -10,6 +10,7 @@
 #include "tests/property/shapes.h"
 #include "tests/property/turned_part.h"
 #include "tests/support/cancel_at.h"
+#include "tests/support/path_numbers.h"
 #include "tests/support/test_runner.h"
 
 #include <QTest>
@@ -34,7 +35,7 @@ Mesh part_named(const std::string& name) {
     return turned_part(4, 9, length, [](double, double) { return 9.0; }); // square
 }
 
-PlanContext turning(const Mesh& part, const Tool& tool) {
+PlanContext turning_context(const Mesh& part, const Tool& tool) {
     PlanContext c = context_of(part, tool);
     c.machine = find_machine("lathe-mill");
     double radius = 0;
@@ -66,18 +67,6 @@ Verification judged(const Mesh& part, const PlanContext& context, const ToolMoti
     const VerifyProgram program{"L", VerifyTool(context.tool), std::make_shared<ToolMotions>(motions),
                                 motions.turning};
     return verify(part, context.stock, {&program, 1}, s, Progress());
-}
-
-std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min, path.stepover_max, path.cusp_max};
-    for (const Pass& p : path.passes) {
-        for (std::size_t i = 0; i < p.cl.size(); ++i)
-            for (const Vec3* v : {&p.cl[i].tip, &p.cl[i].axis, &p.cc[i].point, &p.cc[i].normal})
-                all.insert(all.end(), v->data(), v->data() + 3);
-        for (const CutterLocation& c : p.entry)
-            all.insert(all.end(), c.tip.data(), c.tip.data() + 3);
-    }
-    return all;
 }
 
 } // namespace
@@ -112,7 +101,7 @@ private slots:
         QFETCH(int, pattern);
         const Mesh mesh = part_named(part.toStdString());
         const Tool tool = tools_of_every_shape()[std::size_t(cutter)].tool;
-        const PlanContext context = turning(mesh, tool);
+        const PlanContext context = turning_context(mesh, tool);
         const auto op = make_operation(kind.toStdString());
         const bool sharp = tool.corner_radius < 1, rough = kind == "lathe_rough";
         op->common().tolerance = sharp || rough ? 0.4 : 0.15;
@@ -144,7 +133,7 @@ private slots:
     /// the tolerance too.
     void straight_motion_is_within_tolerance_too() {
         const Mesh mesh = part_named("lobes");
-        const PlanContext context = turning(mesh, ball_tool(6));
+        const PlanContext context = turning_context(mesh, ball_tool(6));
         LatheFinishSettings s;
         s.tolerance = 0.1;
         const LatheFinish op(s);
@@ -159,7 +148,7 @@ private slots:
     void tilted_and_off_center_tools_keep_clear() {
         const Mesh mesh = part_named("lobes");
         for (const auto& [name, tool] : tools_of_every_shape()) {
-            const PlanContext context = turning(mesh, tool);
+            const PlanContext context = turning_context(mesh, tool);
             LatheFinishSettings s;
             s.tolerance = 0.3;
             s.tilt = radians(15);
@@ -178,7 +167,7 @@ private slots:
 
     void roughing_then_finishing_is_free_of_collisions() {
         const Mesh mesh = part_named("square");
-        const PlanContext context = turning(mesh, ball_tool(6));
+        const PlanContext context = turning_context(mesh, ball_tool(6));
         LatheRoughSettings r;
         r.depth_of_cut = 1.5;
         r.tolerance = 0.4;
@@ -209,14 +198,14 @@ private slots:
     }
 
     void threads_do_not_change_a_bit() {
-        const PlanContext context = turning(part_named("lobes"), ball_tool(6));
+        const PlanContext context = turning_context(part_named("lobes"), ball_tool(6));
         for (const std::string& kind : turning_kinds()) {
             const auto op = make_operation(kind);
             op->common().tolerance = 0.2;
             set_thread_count(1);
-            const auto one = numbers(op->plan(context, Progress()));
+            const auto one = path_numbers(op->plan(context, Progress()));
             set_thread_count(2);
-            const auto two = numbers(op->plan(context, Progress()));
+            const auto two = path_numbers(op->plan(context, Progress()));
             set_thread_count(0);
             QVERIFY(one.size() > 1000);
             QVERIFY(one == two);
@@ -224,7 +213,7 @@ private slots:
     }
 
     void cancelling_anywhere_leaves_nothing() {
-        const PlanContext context = turning(part_named("lobes"), ball_tool(6));
+        const PlanContext context = turning_context(part_named("lobes"), ball_tool(6));
         for (const std::string& kind : turning_kinds()) {
             const auto op = make_operation(kind);
             op->common().tolerance = 0.1;

@@ -56,7 +56,7 @@ ToolMotions roughing(const Scene& scene) {
     return m;
 }
 
-PlanContext context_of(const Scene& scene) {
+PlanContext scene_context(const Scene& scene) {
     PlanContext context = test::context_of(scene.part, scene.tool);
     context.stock.box = {Vec3(-42, -32, -5), Vec3(42, 32, scene.stock_top)};
     context.stock_box = context.stock.box;
@@ -129,7 +129,7 @@ ToolMotions lowered(ToolMotions m, double z) {
 }
 
 void check(const Scene& scene, double y, double at_least, double at_most) {
-    const PlanContext context = context_of(scene);
+    const PlanContext context = scene_context(scene);
     const ToolMotions m = link_three_axis(passes(y), context, 0, link_options(), Progress());
     const auto [low, high] = levels(m);
     QVERIFY2(
@@ -185,7 +185,7 @@ private slots:
         Scene scene;
         scene.part = height_field([](double x, double) { return std::abs(x) > 28.02 ? 20.0 : 0.0; },
                                   Vec2(-40, -30), Vec2(40, 30), 1600, 4);
-        const PlanContext context = context_of(scene);
+        const PlanContext context = scene_context(scene);
         const ToolMotions m = link_three_axis(passes(0), context, 0, link_options(), Progress());
         QVERIFY(levels(m).second < clearance + 0.5);
         std::size_t sideways = 0;
@@ -208,7 +208,7 @@ private slots:
         for (const int threads : {1, 4}) {
             set_thread_count(threads);
             const ToolMotions m =
-                link_three_axis(passes(0), context_of(scene), 0, link_options(), Progress());
+                link_three_axis(passes(0), scene_context(scene), 0, link_options(), Progress());
             std::vector<double> numbers;
             for (const Motion& motion : m.motions)
                 numbers.insert(numbers.end(), motion.to.tip.begin(), motion.to.tip.end());

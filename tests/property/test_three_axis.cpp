@@ -7,6 +7,7 @@
 #include "tests/support/cancel_at.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/path_checker.h"
+#include "tests/support/path_numbers.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -58,18 +59,6 @@ std::vector<std::string> three_axis_kinds() {
 /// Passes that follow the part are the same whatever the direction: one is tried.
 bool has_no_direction(const std::string& kind) {
     return kind == "scallop";
-}
-
-/// All numbers of a path, to compare bit by bit.
-std::vector<double> numbers(const StrategyResult& path) {
-    std::vector<double> all{path.stepover_min, path.stepover_max, path.direction, path.cusp_max};
-    for (const Pass& p : path.passes) {
-        all.push_back(p.offset);
-        for (std::size_t i = 0; i < p.cl.size(); ++i)
-            for (const Vec3* v : {&p.cl[i].tip, &p.cc[i].point, &p.cc[i].normal})
-                all.insert(all.end(), v->data(), v->data() + 3);
-    }
-    return all;
 }
 
 } // namespace
@@ -275,7 +264,7 @@ private slots:
             const ToolMotions one_linked = linked(one, context, *op);
             set_thread_count(0);
             const StrategyResult many = op->plan(context, Progress());
-            const auto a = numbers(one), b = numbers(many);
+            const auto a = path_numbers(one), b = path_numbers(many);
             QVERIFY(a.size() > 1000);
             QCOMPARE(a.size(), b.size());
             QVERIFY(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
@@ -288,7 +277,7 @@ private slots:
         const PlanContext context = context_of(mixed(), ball_tool(5));
         for (const std::string& kind : three_axis_kinds()) {
             const auto op = operation(kind, 0.05);
-            const auto reference = numbers(op->plan(context, Progress()));
+            const auto reference = path_numbers(op->plan(context, Progress()));
             for (int point = 0; point < 10; ++point) {
                 Job job;
                 const double at = 0.1 * point;
@@ -296,7 +285,7 @@ private slots:
                          qPrintable(QString::number(at)));
             }
             // The operation and what it shares are as before.
-            QVERIFY(numbers(op->plan(context, Progress())) == reference);
+            QVERIFY(path_numbers(op->plan(context, Progress())) == reference);
         }
     }
 

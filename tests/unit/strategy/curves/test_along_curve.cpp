@@ -5,6 +5,7 @@
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/told.h"
 
 #include <QTest>
 
@@ -41,11 +42,6 @@ StrategyResult planned_on(const Mesh& mesh, const AlongCurveSettings& settings, 
 double distance_from(const PlanCurve& curve, const Vec3& p) {
     const CurveCourse course(curve);
     return LineDistance(course.line(), {}).near(p.head<2>()).distance;
-}
-
-bool tells(const StrategyResult& path, const std::string& words) {
-    return std::any_of(path.warnings.begin(), path.warnings.end(),
-                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 } // namespace

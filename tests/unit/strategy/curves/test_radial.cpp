@@ -7,6 +7,7 @@
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/told.h"
 #include "tests/support/trials.h"
 
 #include <QTest>
@@ -61,11 +62,6 @@ double length_of(const StrategyResult& path) {
         for (std::size_t i = 1; i < p.cl.size(); ++i)
             sum += (p.cl[i].tip - p.cl[i - 1].tip).head<2>().norm();
     return sum;
-}
-
-bool tells(const StrategyResult& path, const std::string& words) {
-    return std::any_of(path.warnings.begin(), path.warnings.end(),
-                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 PlanCurve arc(double radius, double from, double to, const Vec2& about = Vec2::Zero()) {

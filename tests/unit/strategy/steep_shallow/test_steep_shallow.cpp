@@ -8,6 +8,7 @@
 #include "tests/support/error_code.h"
 #include "tests/support/naive_finish.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/told.h"
 #include "tests/support/trials.h"
 
 #include <QTest>
@@ -33,11 +34,6 @@ StrategyResult planned_on(const Mesh& mesh, const SteepShallowSettings& settings
 
 double slope_of(const Vec3& normal) {
     return std::acos(std::clamp(normal.z(), -1.0, 1.0));
-}
-
-bool tells(const StrategyResult& path, const std::string& words) {
-    return std::any_of(path.warnings.begin(), path.warnings.end(),
-                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 /// The passes of one course alone.
