@@ -1,5 +1,6 @@
 // glTF: a box of 2 x 3 x 4 by every way that files have of saying it, and files that cannot be.
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/mesh/gltf_support.h"
 
 #include <QTest>
@@ -260,7 +261,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Error, read_mesh(maker.glb(), "a.glb", {}, Progress()));
         std::mt19937 random(5);
         for (const std::string& sound : {GltfMaker().glb(), GltfMaker().text()})
-            for (int trial = 0; trial < 1500; ++trial) {
+            for (int trial = 0; trial < trials(1500, 3); ++trial) {
                 std::string damaged = sound;
                 for (std::uint32_t k = 0; k < 1 + random() % 3; ++k)
                     damaged[random() % damaged.size()] = char(random());

@@ -192,7 +192,8 @@ private slots:
     }
 
     void threads_do_not_matter() {
-        const Mesh torus = torus_mesh(240, 160); // 76 800 facets: several blocks of every loop
+        // 76 800 facets: several blocks of every loop.
+        const Mesh torus = torus_mesh(trials(240, 2), trials(160, 2));
         Mesh broken = torus;
         for (std::size_t f = 0; f < broken.facets.size(); f += 97)
             std::swap(broken.facets[f][0], broken.facets[f][1]);
@@ -223,7 +224,7 @@ private slots:
     }
 
     void cancelled_before_and_meanwhile() {
-        const Mesh torus = under_sanitizer ? torus_mesh(200, 125) : torus_mesh(400, 250);
+        const Mesh torus = under_sanitizer ? torus_mesh(120, 75) : torus_mesh(400, 250);
         std::size_t cancelled_count = 0;
         for (const Sample& sample : samples(torus)) {
             Job before;

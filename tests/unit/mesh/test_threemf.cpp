@@ -1,6 +1,7 @@
 // 3MF: units, transforms, components, the choice of objects, and a corpus of odd and broken files.
 #include "tests/support/cancel_at.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 #include "tests/unit/mesh/threemf_support.h"
 
 #include <QTest>
@@ -400,7 +401,8 @@ private slots:
     }
 
     void cancelling_and_damage() {
-        const std::string bytes = threemf_bytes({.objects = mesh_3mf(torus_mesh(200, 100))});
+        const std::string bytes =
+            threemf_bytes({.objects = mesh_3mf(torus_mesh(trials(200, 2), trials(100, 2)))});
         for (const double fraction : {0.05, 0.2, 0.33, 0.6, 0.9}) {
             Job job;
             QVERIFY(
@@ -408,7 +410,7 @@ private slots:
         }
         std::mt19937 random(5);
         const Maker3mf maker = assembly();
-        for (int trial = 0; trial < 1500; ++trial) {
+        for (int trial = 0; trial < trials(1500, 3); ++trial) {
             // In the XML, which an archive's sums would else protect.
             std::string model = maker.model();
             for (std::uint32_t k = 0; k < 1 + random() % 3; ++k)

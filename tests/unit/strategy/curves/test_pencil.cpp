@@ -39,7 +39,7 @@ Mesh crossed() {
     const auto z = [](double x, double y) {
         return std::min(0.9 * std::abs(y - 0.02 * x * x), 0.7 * std::abs(x + 4));
     };
-    return height_field(z, Vec2(-15, -12), Vec2(15, 12), 60, 48);
+    return height_field(z, Vec2(-15, -12), Vec2(15, 12), trials(60, 2), trials(48, 2));
 }
 
 } // namespace

@@ -196,12 +196,12 @@ private slots:
         QTest::addColumn<int>("from");
         QTest::addColumn<double>("noise");
         QTest::addColumn<bool>("spiral");
-        if (!under_sanitizer) { // what the others do holds what these do
+        if (!under_sanitizer) { // what the others do holds what these do, and passes from a curve are below
+            QTest::newRow("hill from a curve") << 0 << int(From::curve) << 0.0 << false;
             QTest::newRow("hill") << 0 << int(From::border) << 0.0 << false;
             QTest::newRow("hill from a place") << 0 << int(From::place) << 0.0 << false;
             QTest::newRow("saddle") << 1 << int(From::border) << 0.0 << false;
         }
-        QTest::newRow("hill from a curve") << 0 << int(From::curve) << 0.0 << false;
         QTest::newRow("noisy hill") << 0 << int(From::border) << 0.002 << false;
         QTest::newRow("spiral on a hill") << 0 << int(From::place) << 0.0 << true;
     }
@@ -324,6 +324,7 @@ private slots:
         }
         mesh.facets.erase(mesh.facets.begin() + 700, mesh.facets.begin() + 760);
         for (const Tool& tool : {ball_tool(6), bull_tool(6, 1), flat_tool(5)}) {
+            if (under_sanitizer && tool.corner_radius != 1) continue; // balls and flat ends have other parts
             const double tolerance = tool.corner_radius > 0 ? 0.1 : 0.3;
             const StrategyResult path = planned_on(mesh, scallop_settings(tolerance), tool);
             const Naive naive =
@@ -339,8 +340,9 @@ private slots:
             const std::vector<Vec3> tips = tips_of(path, 0.1);
             const TipTree tree(tips, double(cutter.radius()));
             int looked = 0, high = 0;
-            for (double x = -8; x < 8; x += 0.09)
-                for (double y = -8; y < 8; y += 0.09) {
+            const double apart = under_sanitizer ? 0.27 : 0.09;
+            for (double x = -8; x < 8; x += apart)
+                for (double y = -8; y < 8; y += apart) {
                     const TipTouch touch = tell(Vec2(x, y), lift.contact(x, y));
                     if (!touch.any || !touch.surface || touch.slope() > radians(65)) continue;
                     const Vec3 over = touch.point + 1.1 * tolerance * touch.normal;
@@ -353,7 +355,7 @@ private slots:
                     return w.find("leave more than expected") != std::string::npos;
                 });
             QVERIFY2(
-                looked > 20000 && (high <= looked / 1000 || (named && high <= looked / 200)),
+                looked > trials(20000) && (high <= looked / 1000 || (named && high <= looked / 200)),
                 qPrintable(
                     QString("%1 of %2 under a corner of %3").arg(high).arg(looked).arg(tool.corner_radius)));
         }
@@ -416,7 +418,8 @@ private slots:
 
     /// Along a wall, whichever way it runs over the grid, a flat end cuts the floor up to it.
     void feet_of_walls_are_cut() {
-        for (const double turn : {0.0, 0.4, 0.5 * pi}) {
+        for (const double turn : {0.4, 0.0, 0.5 * pi}) {
+            if (under_sanitizer && turn != 0.4) continue;
             const Mesh mesh = turned(step(0, 5), turn);
             const StrategyResult path = planned_on(mesh, scallop_settings(0.15), flat_tool(6));
             const BruteCutter cutter(flat_tool(6).cutter());
@@ -479,11 +482,11 @@ private slots:
 
     void threads_change_nothing_and_it_can_be_cancelled() {
         const Mesh mesh = mixed();
-        QVERIFY(
-            same_with_any_threads([&] { return planned_on(mesh, scallop_settings(0.1), bull_tool(8, 2)); }));
+        const ScallopSettings settings = scallop_settings(under_sanitizer ? 0.5 : 0.1);
+        QVERIFY(same_with_any_threads([&] { return planned_on(mesh, settings, bull_tool(8, 2)); }));
         for (const double at : {0.1, 0.4, 0.7}) {
             Job job;
-            const Scallop op(scallop_settings(0.1));
+            const Scallop op(settings);
             QVERIFY(cancelled_at(job, at,
                                  [&](const Progress& p) { op.plan(context_of(mesh, ball_tool(8)), p); }));
         }

@@ -120,7 +120,8 @@ private slots:
         const char* parts[] = {"island", "cone", "dome", "mixed"};
         for (int p = 0; p < 4; ++p)
             for (int t = 0; t < 3; ++t)
-                QTest::addRow("%s %s", parts[p], tools_of_every_shape()[std::size_t(t)].name) << p << t;
+                if (!under_sanitizer || (p + t) % 3 == 0) // every part and every cutter
+                    QTest::addRow("%s %s", parts[p], tools_of_every_shape()[std::size_t(t)].name) << p << t;
     }
     void nothing_is_gouged_and_what_is_steep_is_cut() {
         QFETCH(int, part);
@@ -221,10 +222,11 @@ private slots:
 
     void threads_change_nothing_and_it_can_be_cancelled() {
         const Mesh mesh = pocket_with_island();
-        QVERIFY(same_with_any_threads([&] { return planned_on(mesh, settings_with(0.1), bull_tool(4, 1)); }));
+        const WaterlineSettings settings = settings_with(under_sanitizer ? 0.5 : 0.1);
+        QVERIFY(same_with_any_threads([&] { return planned_on(mesh, settings, bull_tool(4, 1)); }));
         for (const double at : {0.1, 0.5, 0.8}) {
             Job job;
-            const Waterline op(settings_with(0.1));
+            const Waterline op(settings);
             QVERIFY(cancelled_at(job, at,
                                  [&](const Progress& p) { op.plan(context_of(mesh, ball_tool(4)), p); }));
         }
