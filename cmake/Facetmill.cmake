@@ -224,15 +224,31 @@ function(facetmill_test_program program variant)
     endif()
 endfunction()
 
+# facetmill_test_objects(TARGET SOURCES ...): compiles these sources of tests, and those of further calls with them.
+function(facetmill_test_objects target)
+    if(NOT TARGET ${target})
+        add_library(${target} OBJECT)
+        set_target_properties(${target} PROPERTIES FACETMILL_TEST TRUE)
+        target_link_libraries(${target} PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
+            nlohmann_json::nlohmann_json Threads::Threads facetmill_qt_test)
+        target_compile_definitions(${target} PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
+        target_precompile_headers(${target} REUSE_FROM facetmill_test_header)
+    endif()
+    target_sources(${target} PRIVATE ${ARGN})
+    facetmill_moc(${target} ${ARGN})
+endfunction()
+
 # facetmill_test(NAME ROOM room | ROOMS room ... [LABELS ...] [TIMEOUT s] [COST n] [ALL_CASES] [CHECKED_APART] SOURCES ...): a
 # QtTest program whose classes register themselves with FACETMILL_TEST (tests/support/test_runner.h), linked with ROOM and all
 # rooms before it or with ROOMS alone. Those without a label are the target unit_tests, and with FACETMILL_CHECKED each of them is
 # run once more, as NAME_checked, with the rooms under sanitizers: by the program checked_tests, which has the classes of all of
 # them, since linking such rooms takes longest; CHECKED_APART: by one of its own, which that target brings along. Programs of higher
 # cost are run first, so that no processor idles while the longest one ends. ALL_CASES: it tries a part of its cases, and all of
-# them in the slow tests, as NAME_all_cases. Those that are labelled slow are built where benchmarks are.
+# them in the slow tests, as NAME_all_cases. Those that are labelled slow are built where benchmarks are. WITH name: its sources are
+# compiled together with those of the other tests of the folder that say the same, since headers take longer than what a test adds
+# to them; each of the programs, all with the same rooms, has the classes of all, and runs its own.
 function(facetmill_test name)
-    cmake_parse_arguments(ARG "ALL_CASES;CHECKED_APART" "ROOM;TIMEOUT;COST" "ROOMS;SOURCES;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "ALL_CASES;CHECKED_APART" "ROOM;TIMEOUT;COST;WITH" "ROOMS;SOURCES;LABELS" ${ARGN})
     if(ARG_ROOM)
         facetmill_rooms_up_to(ARG_ROOMS ${ARG_ROOM})
     endif()
@@ -242,15 +258,20 @@ function(facetmill_test name)
     if(NOT ARG_COST)
         set(ARG_COST 0)
     endif()
-    add_library(${name}_objects OBJECT ${ARG_SOURCES})
-    set_target_properties(${name}_objects PROPERTIES FACETMILL_TEST TRUE)
-    facetmill_moc(${name}_objects ${ARG_SOURCES})
-    target_link_libraries(${name}_objects PRIVATE facetmill_options Eigen3::Eigen TBB::tbb OpenMeshCore PkgConfig::ZIP PNG::PNG TIFF::TIFF EXPAT::EXPAT
-        nlohmann_json::nlohmann_json Threads::Threads facetmill_qt_test)
-    target_compile_definitions(${name}_objects PRIVATE FACETMILL_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
-    target_precompile_headers(${name}_objects REUSE_FROM facetmill_test_header)
+    set(objects ${name}_objects)
+    if(ARG_WITH)
+        set(objects ${ARG_WITH}_objects)
+    endif()
+    facetmill_test_objects(${objects} ${ARG_SOURCES})
 
     facetmill_test_program(${name} "" ${ARG_ROOMS})
+    facetmill_test_classes(classes ${ARG_SOURCES})
+    list(JOIN classes "," classes)
+    if(ARG_WITH)
+        set(own ${CMAKE_CURRENT_BINARY_DIR}/${name}_classes.cpp)
+        file(CONFIGURE OUTPUT ${own} CONTENT "namespace facetmill::test {\nextern const char* const own_classes;\nconst char* const own_classes = \"${classes}\";\n} // namespace facetmill::test\n")
+        target_sources(${name} PRIVATE ${own})
+    endif()
     set(tests ${name})
     if(FACETMILL_CHECKED AND NOT ARG_LABELS)
         list(APPEND tests ${name}_checked)
@@ -264,11 +285,13 @@ function(facetmill_test name)
         set(environment ${FACETMILL_TEST_ENVIRONMENT})
         if(NOT TARGET ${test})
             set(program checked_tests)
-            facetmill_test_classes(classes ${ARG_SOURCES})
-            list(JOIN classes "," classes)
             list(APPEND environment FACETMILL_CLASSES=${classes})
         endif()
-        target_sources(${program} PRIVATE $<TARGET_OBJECTS:${name}_objects>)
+        get_target_property(has ${program} FACETMILL_OBJECTS)
+        if(NOT objects IN_LIST has) # checked_tests has them by another test of the same WITH
+            set_property(TARGET ${program} APPEND PROPERTY FACETMILL_OBJECTS ${objects})
+            target_sources(${program} PRIVATE $<TARGET_OBJECTS:${objects}>)
+        endif()
         add_test(NAME ${test} COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${program}>)
         set_tests_properties(${test} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} LABELS "${ARG_LABELS}"
             ENVIRONMENT "${environment}")
@@ -286,6 +309,6 @@ function(facetmill_test name)
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests ${name})
     elseif("slow" IN_LIST ARG_LABELS AND NOT FACETMILL_BENCH_IN_ALL)
-        set_target_properties(${name} ${name}_objects PROPERTIES EXCLUDE_FROM_ALL TRUE)
+        set_target_properties(${name} ${objects} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     endif()
 endfunction()

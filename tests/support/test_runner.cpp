@@ -13,6 +13,10 @@
 
 namespace facetmill::test {
 
+/// Names of classes, separated by commas: those that a program runs by itself, where it is linked with others
+/// as well (WITH in cmake/Facetmill.cmake). Programs that run all of theirs define none.
+extern const char* const own_classes [[gnu::weak]];
+
 namespace {
 struct Entry {
     const char* name;
@@ -23,17 +27,16 @@ std::vector<Entry>& entries() {
     return all;
 }
 
-/// Names of classes, separated by commas; nothing where the variable is not set. A name that no class has
-/// ends the program: the class would be left out in silence.
-std::optional<std::vector<std::string>> classes_in(const char* variable) {
-    const char* text = std::getenv(variable); // NOLINT(concurrency-mt-unsafe)
+/// Names of classes, separated by commas; nothing where there is no text. A name that no class has ends the
+/// program: the class would be left out in silence.
+std::optional<std::vector<std::string>> classes_in(const char* text, const char* said_by) {
     if (!text) return std::nullopt;
     std::vector<std::string> names;
     std::istringstream all(text);
     for (std::string name; std::getline(all, name, ',');) {
         if (std::none_of(entries().begin(), entries().end(),
                          [&](const Entry& e) { return name == e.name; })) {
-            std::fprintf(stderr, "%s: no test class is named '%s'\n", variable, name.c_str());
+            std::fprintf(stderr, "%s: no test class is named '%s'\n", said_by, name.c_str());
             std::exit(1); // NOLINT(concurrency-mt-unsafe)
         }
         names.push_back(name);
@@ -58,7 +61,12 @@ int run_tests(int argc, char** argv) {
             --argc;
         }
     }
-    const auto these = classes_in("FACETMILL_CLASSES"), others = classes_in("FACETMILL_OTHER_CLASSES");
+    const auto asked = [](const char* variable) {
+        return classes_in(std::getenv(variable), variable); // NOLINT(concurrency-mt-unsafe)
+    };
+    auto these = asked("FACETMILL_CLASSES");
+    const auto others = asked("FACETMILL_OTHER_CLASSES");
+    if (!these && !others && &own_classes) these = classes_in(own_classes, "own_classes");
     const auto names = [](const auto& list, const char* name) {
         return std::find(list->begin(), list->end(), std::string_view(name)) != list->end();
     };
