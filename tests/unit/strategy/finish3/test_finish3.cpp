@@ -518,7 +518,6 @@ private slots:
         tool.shank_diameter = 6.06;
         tool.shank_length = 30;
         Finish3Settings s;
-        if (under_sanitizer) s.tolerance = 0.2;
         const auto in_groove = [](const StrategyResult& r) {
             double sum = 0;
             for (const Pass& p : r.passes)
