@@ -44,10 +44,12 @@ if(FACETMILL_SANITIZE)
     target_compile_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE} ${FACETMILL_SANITIZE_OPTIONS})
     target_link_options(facetmill_options INTERFACE -fsanitize=${FACETMILL_SANITIZE})
 endif()
-# Targets with the property FACETMILL_CHECKED are compiled with sanitizers and assertions, in whichever configuration. Uses of a
-# variable after its block has ended are looked for where FACETMILL_CHECKED_SCOPES asks for it: a third of the compiler's time.
+# Targets with the property FACETMILL_CHECKED are compiled with sanitizers and assertions, in whichever configuration. Where
+# FACETMILL_CHECKED_SCOPES asks for it, uses of a variable after its block has ended are looked for, a third of the compiler's time,
+# and what is found is told with its line, a twelfth of it; else with its function.
 target_compile_options(facetmill_options INTERFACE
-    "$<$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>:-g1;-UNDEBUG;-fsanitize=address,undefined;${FACETMILL_SANITIZE_OPTIONS}>"
+    "$<$<AND:$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>,$<BOOL:${FACETMILL_CHECKED_SCOPES}>>:-g1>"
+    "$<$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>:-UNDEBUG;-fsanitize=address,undefined;${FACETMILL_SANITIZE_OPTIONS}>"
     "$<$<AND:$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>,$<NOT:$<BOOL:${FACETMILL_CHECKED_SCOPES}>>>:-fno-sanitize-address-use-after-scope>")
 target_link_options(facetmill_options INTERFACE
     "$<$<BOOL:$<TARGET_PROPERTY:FACETMILL_CHECKED>>:-fsanitize=address,undefined>")
