@@ -185,6 +185,21 @@ QString failure_text(const Error& e) {
     return e.remedy().empty() ? message : said_of(message, worded(e.remedy()));
 }
 
+QString in_user_quotes(const QString& text) {
+    // A quote opens behind no letter and closes before none; within it stand apostrophes between letters.
+    static const QRegularExpression quoted(QStringLiteral("(?<!\\w)'((?:[^'\n]|(?<=\\w)'(?=\\w))+)'(?!\\w)"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    QString result;
+    qsizetype from = 0;
+    for (auto it = quoted.globalMatch(text); it.hasNext();) {
+        const auto match = it.next();
+        result += text.mid(from, match.capturedStart() - from)
+                  + QObject::tr("'%1'", "a name in a message").arg(match.captured(1));
+        from = match.capturedEnd();
+    }
+    return result + text.mid(from);
+}
+
 QString clause_mark() {
     return QObject::tr("; ", "between clauses");
 }

@@ -46,6 +46,8 @@ QString in_user_numbers(const QString& text);
 QString number_list(const QStringList& numbers);
 /// What stands between clauses that are put one after the other: "; ".
 QString clause_mark();
+/// Names that stand 'in quotes', as core has them, in the quotes of the language; apostrophes stay.
+QString in_user_quotes(const QString& text);
 /// What the user typed, with points for decimal marks, as core reads it. Who writes commas may write points
 /// as well; only "1.500", which may be meant for thousands, is refused: Error(wrong_type), with `where` for
 /// its place.

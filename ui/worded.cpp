@@ -190,6 +190,28 @@ qsizetype last_bracket(const QString& line) {
     return -1;
 }
 
+/// Between the places of a line, and what is wrong there.
+const QString& place_mark() {
+    static const QString mark = QStringLiteral(": ");
+    return mark;
+}
+
+/// Where the message begins that the catalogue knows most of; behind as many places as can be. -1 where it
+/// knows none.
+qsizetype message_begin(const QString& head, qsizetype& most) {
+    qsizetype begin = -1;
+    most = 0;
+    for (qsizetype at = 0; at >= 0;) {
+        if (const qsizetype known = known_letters(head.mid(at)); known >= most && known > 0) {
+            most = known;
+            begin = at;
+        }
+        at = head.indexOf(place_mark(), at);
+        if (at >= 0) at += place_mark().size();
+    }
+    return begin;
+}
+
 /// "where: what (what to do)".
 QString line_said(const QString& line) {
     const qsizetype bracket = last_bracket(line);
@@ -199,20 +221,11 @@ QString line_said(const QString& line) {
         const QString inside = line.mid(bracket + 1, line.size() - bracket - 2);
         tail = QStringLiteral(" (%1)").arg(sentence_of(inside, 0).value_or(inside));
     }
-    // Where the message begins that the catalogue knows most of; behind as many places as can be.
-    static const QString mark = QStringLiteral(": ");
-    qsizetype begin = -1, most = 0;
-    for (qsizetype at = 0; at >= 0;) {
-        if (const qsizetype known = known_letters(head.mid(at)); known >= most && known > 0) {
-            most = known;
-            begin = at;
-        }
-        at = head.indexOf(mark, at);
-        if (at >= 0) at += mark.size();
-    }
+    qsizetype most = 0;
+    const qsizetype begin = message_begin(head, most);
     if (begin < 0) return head + tail;
     const QString what = sentence_of(head.mid(begin), 0).value_or(head.mid(begin));
-    return (begin > 0 ? said_of(place_names(head.left(begin - mark.size())), what) : what) + tail;
+    return (begin > 0 ? said_of(place_names(head.left(begin - place_mark().size())), what) : what) + tail;
 }
 
 /// Where English is spoken and numbers have a point, all is as core says it.
@@ -235,8 +248,11 @@ QString message_id(const QString& message) {
 
 QString worded(const QString& english) {
     if (as_core_says() && !has_long_count(english)) return english;
-    const auto sentence = sentence_of(english, 0);
-    return sentence ? *sentence : line_said(english);
+    qsizetype most = 0;
+    // "facet 3: a corner is not a finite number" is not "{1} is not a finite number" of facets and corners.
+    const bool is_line = message_begin(english, most) > 0 && most > known_letters(english);
+    const auto sentence = is_line ? std::nullopt : sentence_of(english, 0);
+    return in_user_quotes(sentence ? *sentence : line_said(english));
 }
 
 QString worded(std::string_view english) {
@@ -250,7 +266,8 @@ QString worded(const char* english) {
 QString worded(const Error& e) {
     if (const QString line = text(e.what()); as_core_says() && !has_long_count(line)) return line;
     QString line = worded(printable(e.message(), 4000));
-    if (!e.where().empty()) line = said_of(place_names(text(printable(e.where(), 400))), line);
+    if (!e.where().empty())
+        line = said_of(in_user_quotes(place_names(text(printable(e.where(), 400)))), line);
     if (!e.remedy().empty()) line += QStringLiteral(" (%1)").arg(worded(printable(e.remedy(), 4000)));
     return line;
 }

@@ -142,7 +142,10 @@ private slots:
                  QStringLiteral("der Wert 0,25 mm ist außerhalb des Bereichs"));
         // A name is a name, even one that is a word of the catalogue.
         QCOMPARE(ui::worded("there is no operation 'Rough'"),
-                 QStringLiteral("es gibt keine Operation 'Rough'"));
+                 QStringLiteral("es gibt keine Operation „Rough“"));
+        // Without a word of what to do as well, and where the end alone would fit another message.
+        QCOMPARE(ui::worded("facet 12: a corner is not a finite number"),
+                 QStringLiteral("Facette 12: eine Ecke ist keine endliche Zahl"));
         // Messages in the places of messages.
         QCOMPARE(ui::worded("expected a whole number"), QStringLiteral("eine ganze Zahl erwartet"));
         QCOMPARE(ui::worded("allowed: above 0 mm and at most 2.5 mm"),
@@ -167,6 +170,24 @@ private slots:
                  qPrintable(listed));
         ui::speak(QStringLiteral("en"));
         QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
+    }
+
+    /// Names stand in the quotes of the language, and apostrophes are no quotes.
+    void names_stand_in_the_languages_quotes() {
+        const Error e(ErrorCode::out_of_range, "operation 'Rough'", "unknown value 'three'", "");
+        ui::speak(QStringLiteral("en"));
+        QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
+        QCOMPARE(ui::in_user_quotes(QStringLiteral("'a' isn't 'b'")), QStringLiteral("'a' isn't 'b'"));
+        ui::speak(QStringLiteral("de"));
+        QVERIFY2(ui::worded(e).contains(QStringLiteral("„Rough“"))
+                     && ui::worded(e).contains(QStringLiteral("„three“"))
+                     && !ui::worded(e).contains(QChar('\'')),
+                 qPrintable(ui::worded(e)));
+        ui::speak(QStringLiteral("fr"));
+        QVERIFY2(ui::worded(e).contains(QStringLiteral("«\u00a0three\u00a0»")), qPrintable(ui::worded(e)));
+        QCOMPARE(ui::in_user_quotes(QStringLiteral("l'axe d'une 'Ébauche de l'avant' n'est pas 'd'")),
+                 QStringLiteral("l'axe d'une «\u00a0Ébauche de l'avant\u00a0» n'est pas «\u00a0d\u00a0»"));
+        QCOMPARE(ui::in_user_quotes(QStringLiteral("3' 5' et 1'")), QStringLiteral("3' 5' et 1'"));
     }
 
     void stages_of_operations_are_said() {
@@ -221,7 +242,7 @@ private slots:
             const QString said = ui::worded(message);
             for (const QString& whole : {QStringLiteral("779") + gap + QStringLiteral("670"),
                                          QStringLiteral("780") + gap + QStringLiteral("152"),
-                                         QStringLiteral("'M12345'"), QStringLiteral("9667")})
+                                         QStringLiteral("M12345"), QStringLiteral("9667")})
                 QVERIFY2(said.contains(whole), qPrintable(said));
             // Lengths are told in other units afterwards.
             QVERIFY(
