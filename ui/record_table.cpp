@@ -10,6 +10,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QLabel>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -60,6 +61,13 @@ RecordTable::RecordTable(std::vector<const ParameterInfo*> fields, LengthUnit un
     table_->verticalHeader()->setVisible(false);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setMinimumHeight(86);
+    none_ = new QLabel(words.none, table_->viewport());
+    none_->setObjectName(words.name + QStringLiteral("_none"));
+    none_->setAlignment(Qt::AlignCenter);
+    none_->setWordWrap(true);
+    none_->setForegroundRole(QPalette::PlaceholderText);
+    auto* over = new QVBoxLayout(table_->viewport());
+    over->addWidget(none_);
     connect(table_, &QTableWidget::itemChanged, this, [this] {
         if (!filling_) read();
     });
@@ -108,6 +116,7 @@ void RecordTable::add_row() {
     table_->insertRow(table_->rowCount());
     show_row(table_->rowCount() - 1, records_.all.back());
     filling_ = false;
+    show_none();
     read(); // cells that cannot be read yet stand as they are
 }
 
@@ -118,6 +127,7 @@ void RecordTable::remove_row() {
     filling_ = true;
     table_->removeRow(row);
     filling_ = false;
+    show_none();
     read();
 }
 
@@ -156,6 +166,11 @@ void RecordTable::show() {
         show_row(row, records_.all[std::size_t(row)]);
     problem_.clear();
     filling_ = false;
+    show_none();
+}
+
+void RecordTable::show_none() {
+    none_->setVisible(table_->rowCount() == 0);
 }
 
 void RecordTable::read() {

@@ -8,6 +8,7 @@
 
 #include <functional>
 
+class QLabel;
 class QTableWidget;
 class QToolButton;
 class QVBoxLayout;
@@ -22,6 +23,7 @@ public:
         QString row;         ///< "section": what the buttons' names end in
         QString called;      ///< "Holder section": what a message begins with
         QString add, remove; ///< what the buttons say
+        QString none;        ///< what stands in its place where it is empty
     };
     /// A column for each field. `new_record`: what a new row begins with, from the rows before it.
     RecordTable(std::vector<const ParameterInfo*> fields, LengthUnit unit, const Words& words,
@@ -45,6 +47,7 @@ protected:
 private:
     void fit_columns();
     void show();
+    void show_none();
     void show_row(int row, const std::vector<ParameterValue>& record);
     void read();
     void add_row();
@@ -60,6 +63,7 @@ private:
     ParameterRecords records_;
     QString problem_;
     QTableWidget* table_ = nullptr;
+    QLabel* none_ = nullptr;
     QVBoxLayout* buttons_ = nullptr;
     bool filling_ = false;
 };

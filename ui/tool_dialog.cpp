@@ -139,7 +139,8 @@ QWidget* ToolDialog::make_lists() {
     holder_ = new RecordTable(
         holder_parameters().infos(), unit_,
         {QStringLiteral("holder"), QStringLiteral("section"), tr("Holder section"),
-         tr("Add a section above the others"), tr("Remove the selected section")},
+         tr("Add a section above the others"), tr("Remove the selected section"),
+         tr("No holder: nothing above the shank is watched. + adds a section.")},
         [this](const ParameterRecords& before) {
             if (!before.all.empty()) return before.all.back();
             const double shank = tool().shank_diameter;
@@ -164,7 +165,8 @@ QWidget* ToolDialog::make_lists() {
     cutting_ = new RecordTable(
         cutting_parameters().infos(), unit_,
         {QStringLiteral("cutting"), QStringLiteral("cutting"), tr("Feeds and speeds, row"),
-         tr("Add a material"), tr("Remove the selected material")},
+         tr("Add a material"), tr("Remove the selected material"),
+         tr("No material yet: operations have feeds of their own. + adds one.")},
         [](const ParameterRecords& before) {
             if (!before.all.empty()) return before.all.back();
             return cutting_list.values({CuttingData()}).all.front();

@@ -362,8 +362,13 @@ private slots:
 
         auto* holder = dialog->findChild<QTableWidget*>(QStringLiteral("holder"));
         const int sections = holder->rowCount();
+        // An empty table says so.
+        auto* none = dialog->findChild<QLabel*>(QStringLiteral("holder_none"));
+        QVERIFY(sections == 0 && none && none->isVisible()
+                && none->text().contains(QStringLiteral("No holder")));
         QTest::mouseClick(dialog->findChild<QToolButton*>(QStringLiteral("add_section")), Qt::LeftButton);
         QCOMPARE(holder->rowCount(), sections + 1);
+        QVERIFY(!none->isVisible());
         holder->item(sections, 0)->setText(QStringLiteral("x"));
         QVERIFY(!ok->isEnabled());
         holder->item(sections, 0)->setText(QStringLiteral("6/2"));
