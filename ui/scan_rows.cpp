@@ -44,11 +44,6 @@ std::vector<char> all_that_go(const Shells& shells, const std::vector<RepairStep
     return goes;
 }
 
-template <class Value>
-QString count_of(const std::vector<Value>& all, Value wanted) {
-    return count_text(std::size_t(std::count(all.begin(), all.end(), wanted)));
-}
-
 } // namespace
 
 std::vector<ScanPanel::Line> survey_rows(const ScannedMesh& scan, const ScannedMesh* after,
@@ -121,13 +116,15 @@ QString step_remark(const ScannedMesh& scan, const std::vector<RepairStep>& reci
     QStringList words{step_help(step.kind)};
     if (step.kind == RepairStep::Kind::holes) {
         const auto fates = hole_fates(*scan.mesh, scan.survey, recipe);
-        words << ScanPanel::tr("As the file is, %1 of %2 holes are filled.")
-                     .arg(count_of(fates, HoleFate::filled), count_text(fates.size()));
+        const auto filled = std::ranges::count(fates, HoleFate::filled);
+        words << ScanPanel::tr("As the file is, %1 of %2 holes are filled.", nullptr, int(filled))
+                     .arg(count_text(std::size_t(filled)), count_text(fates.size()));
     }
     if (step.kind == RepairStep::Kind::pieces) {
         const auto goes = pieces_that_go(scan.survey.shells, step);
-        words << ScanPanel::tr("As the file is, %1 of %2 pieces go.")
-                     .arg(count_of(goes, char(1)), count_text(goes.size()));
+        const auto gone = std::ranges::count(goes, char(1));
+        words << ScanPanel::tr("As the file is, %1 of %2 pieces go.", nullptr, int(gone))
+                     .arg(count_text(std::size_t(gone)), count_text(goes.size()));
     }
     return words.join(QChar(' '));
 }
