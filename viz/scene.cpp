@@ -40,6 +40,7 @@ struct Scene::Impl {
     std::vector<ColorBar> color_bars() const; ///< for what is shown, the one to be kept first
     OverlayContent overlay_content();
 
+    LayoutRect fitted_beside; ///< the legend at the last fit
     SceneStage stage;
     SceneAxes axes{stage};
     SceneRehearsal rehearsal{stage.renderer};
@@ -512,6 +513,21 @@ void Scene::fit(bool with_tool) {
         s.stage.camera.fit_empty();
     else
         s.stage.camera.fit(box, s.overlay.layout(s.overlay_content()), s.stage.ratio);
+    s.fitted_beside = s.overlay.layout(s.overlay_content()).legend;
+}
+
+bool Scene::legend_lies_over() const {
+    Impl& s = *impl_;
+    const LayoutRect legend = s.overlay.layout(s.overlay_content()).legend;
+    return s.stage.camera.shadow_meets(bounds(), legend, s.stage.ratio);
+}
+
+bool Scene::legend_came_over() const {
+    Impl& s = *impl_;
+    const LayoutRect legend = s.overlay.layout(s.overlay_content()).legend, &before = s.fitted_beside;
+    const bool same =
+        legend.x0 == before.x0 && legend.y0 == before.y0 && legend.x1 == before.x1 && legend.y1 == before.y1;
+    return !same && legend_lies_over();
 }
 
 } // namespace facetmill

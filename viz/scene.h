@@ -142,6 +142,10 @@ public:
     void set_view(StandardView view);
     /// Centres and scales to `bounds` with a margin, keeping the direction.
     void fit(bool with_tool = false);
+    /// The legend lies over `bounds`.
+    bool legend_lies_over() const;
+    /// It does, and is another one than at the last `fit`.
+    bool legend_came_over() const;
 
 private:
     struct Impl;

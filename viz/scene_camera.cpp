@@ -319,6 +319,16 @@ void SceneCamera::fit(const Box3& box, const OverlayLayout& clear_of, double rat
     fit_perspective(box, f.center * ratio, reach * per_mm * ratio);
 }
 
+bool SceneCamera::shadow_meets(const Box3& box, const LayoutRect& rect, double ratio) const {
+    if (box.empty() || window_size().y() < 1) return false;
+    const Projection now = projection();
+    const Vec2 center = now.pixel(box.center()) / ratio;
+    std::array<Vec2, 3> half;
+    for (int k = 0; k < 3; ++k)
+        half[std::size_t(k)] = now.pixel(box.center() + Vec3::Unit(k) * (box.size()[k] / 2)) / ratio - center;
+    return meets(rect, 0, center, half);
+}
+
 void SceneCamera::fit_perspective(const Box3& box, const Vec2& middle, const Vec2& reach) {
     constexpr int rounds = 6; // each leaves a tenth of what was missing
     for (int round = 0; round < rounds; ++round) {

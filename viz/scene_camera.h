@@ -18,6 +18,7 @@ class vtkRenderWindow;
 
 namespace facetmill {
 
+struct LayoutRect;
 struct OverlayLayout; // overlay.h
 
 /// All have Z up on the screen, but top and bottom, where Y is up. `front` looks along +Y, `right` along -X.
@@ -95,6 +96,8 @@ public:
     void fit(const Box3& box, const OverlayLayout& clear_of, double ratio);
     /// To nothing.
     void fit_empty();
+    /// A rectangle in layout pixels, y down, lies over the shadow of a box; in perspective about.
+    bool shadow_meets(const Box3& box, const LayoutRect& rect, double ratio) const;
     /// Zoom by a factor (> 1: nearer) that keeps the point of the focal point's plane under the pixel in
     /// place.
     void zoom_at(double x, double y, double factor);

@@ -475,6 +475,34 @@ private slots:
         }
     }
 
+    /// A part that was fitted beside a small legend makes room for the larger one of another workspace; one
+    /// that was turned by hand stays.
+    void a_larger_legend_finds_room() {
+        w().resize(800, 600);
+        QVERIFY(open_and_plan());
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        Workspaces& spaces = w().workspaces();
+        ui::Viewport& view = w().viewport();
+        w().message_bar().dismiss();
+        for (const bool turned : {false, true}) {
+            spaces.enter(Workspace::prepare);
+            QVERIFY(wait_until_settled(w()));
+            w().layers().set_shown(ViewLayer::stock, false);
+            view.fit();
+            QVERIFY(wait_until_settled(w()));
+            if (turned) view.roll(0);
+            QVERIFY(!view.scene().legend_lies_over());
+            spaces.enter(Workspace::verify);
+            QVERIFY(view.scene().legend_lies_over());
+            QVERIFY(wait_until_settled(w()));
+            QCOMPARE(view.scene().legend_lies_over(), turned);
+            shot(w(), QStringLiteral("view-legend-%1").arg(int(turned)));
+        }
+        spaces.enter(Workspace::prepare);
+        w().layers().set_shown(ViewLayer::stock, true);
+    }
+
     void window_state_is_kept() {
         w().resize(1010, 707);
         w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
