@@ -9,6 +9,7 @@
 #include "ui/setup_list.h"
 #include "ui/shown_paths.h"
 #include "ui/text.h"
+#include "ui/verdict_advice.h"
 #include "ui/verification_panel.h"
 #include "ui/verification_run.h"
 #include "ui/viewport.h"
@@ -123,8 +124,11 @@ void VerificationController::tell(const VerificationOutcome& outcome, bool one_o
     const QString from = one_of_several && !outcome.chain.empty()
                              ? tr("From setup “%1”: ").arg(text(outcome.chain.front().project.name))
                              : QString();
+    const QString advice = verdict_advice(v);
     emit said(v.passed() ? MessageBar::Kind::information : MessageBar::Kind::warning,
-              from + verdict_message(outcome, document_.unit()), true);
+              from + verdict_message(outcome, document_.unit())
+                  + (advice.isEmpty() ? QString() : QChar(' ') + advice),
+              true);
     for (const std::string& remark : v.remarks)
         emit said(MessageBar::Kind::information, with_lengths_in(sentence(worded(remark)), document_.unit()),
                   false);

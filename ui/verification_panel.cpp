@@ -5,6 +5,7 @@
 #include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/verdict_advice.h"
 #include "ui/worded.h"
 
 #include <QEvent>
@@ -207,6 +208,7 @@ void VerificationPanel::show_verdict() {
         line = model_.subject_text().isEmpty()
                    ? tr("Failed: %1").arg(model_.failure_text())
                    : tr("Failed: %1: %2").arg(model_.subject_text(), model_.failure_text());
+        note = verdict_advice(model_.verification());
         break;
     case Verdict::not_judged:
         which = Icon::verify_stale;
