@@ -291,7 +291,7 @@ QString VerificationPanel::figures_html() const {
         if (b.figures.samples == 0) continue;
         const auto cell = [&](const QString& value, const QString& color = {}) {
             return QStringLiteral(
-                       "<td align=\"right\" style=\"white-space:nowrap; padding:1px 0 1px 2px%2\">%1</td>")
+                       "<td align=\"right\" style=\"white-space:nowrap; padding:1px 0 1px 8px%2\">%1</td>")
                 .arg(value.toHtmlEscaped(), color.isEmpty() ? QString() : QStringLiteral("; color:") + color);
         };
         bands += QStringLiteral("<tr><td style=\"white-space:nowrap; color:%1; padding:1px 0\">%2–%3°</td>")
@@ -305,7 +305,7 @@ QString VerificationPanel::figures_html() const {
     if (!bands.isEmpty()) {
         const QString in = text(unit_name(unit));
         const auto head = [&](const QString& name) {
-            return QStringLiteral("<td align=\"right\" style=\"color:%1; padding:1px 0 1px 4px\">%2</td>")
+            return QStringLiteral("<td align=\"right\" style=\"color:%1; padding:1px 0 1px 8px\">%2</td>")
                 .arg(quiet, name.toHtmlEscaped());
         };
         html += QStringLiteral("<table width=\"100%\" cellspacing=\"0\" style=\"margin-top:8px\"><tr>"
