@@ -392,7 +392,9 @@ private slots:
 
     /// Whatever leaves the window is there when the disk goes on, and not before: nobody has waited for it.
     void what_leaves_waits_for_no_disk() {
-        QVERIFY(open_and_plan());
+        QVERIFY(plan_five_axes()); // rotary axes move: there is a chart
+        w().findChild<QDockWidget*>(QStringLiteral("chart_dock"))->toggleViewAction()->trigger();
+        QVERIFY(wait_until_settled(w()));
         const QString folder = scratch_folder(QStringLiteral("leaves"));
         const auto path = [&](const char* name) { return folder + QChar('/') + QLatin1String(name); };
         ui::ToolLibraryDialog library(w().document(), ui::path_of(path("tools")), &w());
@@ -400,10 +402,12 @@ private slots:
         w().templates().save(QStringLiteral("slow"));
         library.keep_project_tools();
         w().exports().save_picture(path("view.png"));
+        w().inspection().save_picture(path("chart.png"));
+        w().inspection().save_table(path("chart.csv"));
         QTRY_COMPARE(StandingDisk::waiting(), 1);
         QVERIFY(w().busy());
         const QString kept = ui::path_text(ui::own_template_folder() / "slow.fmtemplate");
-        const QStringList files{kept, path("view.png")};
+        const QStringList files{kept, path("view.png"), path("chart.png"), path("chart.csv")};
         for (const QString& file : files)
             QVERIFY2(!QFile::exists(file), qPrintable(file));
         QVERIFY(QDir(path("tools")).isEmpty(QDir::Files));
