@@ -11351,6 +11351,11 @@
         <translation>&amp;Drahtmodell</translation>
     </message>
     <message>
+        <source>'%1'</source>
+        <comment>a name in a message</comment>
+        <translation>„%1“</translation>
+    </message>
+    <message>
         <source>,  .</source>
         <translation>,  .</translation>
     </message>
@@ -11380,7 +11385,7 @@
     </message>
     <message>
         <source>, into the fixture '%1'</source>
-        <translation>, in das Spannmittel '%1'</translation>
+        <translation>, in das Spannmittel „%1“</translation>
     </message>
     <message>
         <source>, into the part</source>
@@ -11759,13 +11764,13 @@
         <source>As the file is</source>
         <translation>Wie die Datei ist</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>As the file is, %1 of %2 holes are filled.</source>
-        <translation>Wie die Datei ist, werden %1 von %2 Löchern gefüllt.</translation>
+        <translation><numerusform>Wie die Datei ist, wird %1 von %2 Löchern gefüllt.</numerusform><numerusform>Wie die Datei ist, werden %1 von %2 Löchern gefüllt.</numerusform></translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>As the file is, %1 of %2 pieces go.</source>
-        <translation>Wie die Datei ist, fallen %1 von %2 Stücken weg.</translation>
+        <translation><numerusform>Wie die Datei ist, fällt %1 von %2 Stücken weg.</numerusform><numerusform>Wie die Datei ist, fallen %1 von %2 Stücken weg.</numerusform></translation>
     </message>
     <message>
         <source>As the part lies</source>
@@ -13580,6 +13585,14 @@ auf, %1</translation>
     <message>
         <source>No defects found.</source>
         <translation>Keine Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>No holder: nothing above the shank is watched. + adds a section.</source>
+        <translation>Kein Halter: über dem Schaft wird nichts überwacht. + fügt einen Abschnitt hinzu.</translation>
+    </message>
+    <message>
+        <source>No material yet: operations have feeds of their own. + adds one.</source>
+        <translation>Noch kein Werkstoff: Operationen haben eigene Vorschübe. + fügt einen hinzu.</translation>
     </message>
     <message>
         <source>No operation turns the part: there is nothing to unroll</source>
@@ -15993,6 +16006,62 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>What the view shows</source>
         <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>What to do: a larger stock.</source>
+        <translation>Was zu tun ist: ein größeres Rohteil.</translation>
+    </message>
+    <message>
+        <source>What to do: a longer shank or flutes, a slimmer holder, or the part laid another way.</source>
+        <translation>Was zu tun ist: längerer Schaft oder längere Schneiden, ein schlankerer Halter, oder das Teil anders legen.</translation>
+    </message>
+    <message>
+        <source>What to do: a longer shank, a slimmer holder, or the part laid another way.</source>
+        <translation>Was zu tun ist: ein längerer Schaft, ein schlankerer Halter, oder das Teil anders legen.</translation>
+    </message>
+    <message>
+        <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
+        <translation>Was zu tun ist: ein Rohteil, das tiefer reicht, oder „Unter dem Boden“, wo es dort nichts hält.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
+        <translation>Was zu tun ist: Restbearbeitung hinzufügen, oder Schlichten mit dem Werkzeug, das dort passt.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, or finish with a smaller tolerance.</source>
+        <translation>Was zu tun ist: Restbearbeitung hinzufügen, oder mit kleinerer Toleranz schlichten.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: Restbearbeitung hinzufügen, die ein kleineres Werkzeug nimmt; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
+    </message>
+    <message>
+        <source>What to do: add Rough before it, so that less stock stands there, or take a tool with longer flutes.</source>
+        <translation>Was zu tun ist: davor Schruppen hinzufügen, damit dort weniger Rohteil steht, oder ein Werkzeug mit längeren Schneiden nehmen.</translation>
+    </message>
+    <message>
+        <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
+        <translation>Was zu tun ist: vor dem Schlichten Schruppen hinzufügen, das wegnimmt, was im Weg steht.</translation>
+    </message>
+    <message>
+        <source>What to do: move the fixture, or cut that place in a second setup.</source>
+        <translation>Was zu tun ist: das Spannmittel versetzen oder diese Stelle in einer zweiten Aufspannung fräsen.</translation>
+    </message>
+    <message>
+        <source>What to do: move the fixture, or keep the operation out of its way by a boundary.</source>
+        <translation>Was zu tun ist: das Spannmittel versetzen oder die Operation durch eine Begrenzung davon fernhalten.</translation>
+    </message>
+    <message>
+        <source>What to do: raise the clearance of the operation that the list names.</source>
+        <translation>Was zu tun ist: den Sicherheitsabstand der Operation vergrößern, die in der Liste steht.</translation>
+    </message>
+    <message>
+        <source>What to do: smaller tabs; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: kleinere Stege; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
+    </message>
+    <message>
+        <source>What to do: widen the boundary; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: die Begrenzung weiter fassen; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
     </message>
     <message>
         <source>What varies, and what comes of it</source>

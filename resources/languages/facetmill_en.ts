@@ -40,6 +40,14 @@
         <translation><numerusform>%n more</numerusform><numerusform>%n more</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>As the file is, %1 of %2 holes are filled.</source>
+        <translation><numerusform>As the file is, %1 of %2 holes is filled.</numerusform><numerusform>As the file is, %1 of %2 holes are filled.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>As the file is, %1 of %2 pieces go.</source>
+        <translation><numerusform>As the file is, %1 of %2 pieces goes.</numerusform><numerusform>As the file is, %1 of %2 pieces go.</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</source>
         <translation><numerusform>Planned “%1” in %2: %3 pass, cut length %4, machining time %5.</numerusform><numerusform>Planned “%1” in %2: %3 passes, cut length %4, machining time %5.</numerusform></translation>
     </message>

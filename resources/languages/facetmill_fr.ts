@@ -11351,6 +11351,11 @@
         <translation>&amp;Filaire</translation>
     </message>
     <message>
+        <source>'%1'</source>
+        <comment>a name in a message</comment>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
         <source>,  .</source>
         <translation>,  .</translation>
     </message>
@@ -11380,7 +11385,7 @@
     </message>
     <message>
         <source>, into the fixture '%1'</source>
-        <translation>, dans le bridage '%1'</translation>
+        <translation>, dans le bridage « %1 »</translation>
     </message>
     <message>
         <source>, into the part</source>
@@ -11759,13 +11764,13 @@
         <source>As the file is</source>
         <translation>Tel que le fichier</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>As the file is, %1 of %2 holes are filled.</source>
-        <translation>Tel que le fichier, %1 trous sur %2 sont remplis.</translation>
+        <translation><numerusform>Tel que le fichier, %1 trou sur %2 est rempli.</numerusform><numerusform>Tel que le fichier, %1 trous sur %2 sont remplis.</numerusform></translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>As the file is, %1 of %2 pieces go.</source>
-        <translation>Tel que le fichier, %1 morceaux sur %2 partent.</translation>
+        <translation><numerusform>Tel que le fichier, %1 morceau sur %2 part.</numerusform><numerusform>Tel que le fichier, %1 morceaux sur %2 partent.</numerusform></translation>
     </message>
     <message>
         <source>As the part lies</source>
@@ -13578,6 +13583,14 @@
     <message>
         <source>No defects found.</source>
         <translation>Aucun défaut trouvé.</translation>
+    </message>
+    <message>
+        <source>No holder: nothing above the shank is watched. + adds a section.</source>
+        <translation>Pas de porte-outil : au-dessus de la queue, rien n'est surveillé. + ajoute une section.</translation>
+    </message>
+    <message>
+        <source>No material yet: operations have feeds of their own. + adds one.</source>
+        <translation>Pas encore de matière : les opérations ont leurs propres avances. + en ajoute une.</translation>
     </message>
     <message>
         <source>No operation turns the part: there is nothing to unroll</source>
@@ -15991,6 +16004,62 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>What the view shows</source>
         <translation>Ce que montre la vue</translation>
+    </message>
+    <message>
+        <source>What to do: a larger stock.</source>
+        <translation>Que faire : un brut plus grand.</translation>
+    </message>
+    <message>
+        <source>What to do: a longer shank or flutes, a slimmer holder, or the part laid another way.</source>
+        <translation>Que faire : une queue ou des dents plus longues, un porte-outil plus mince, ou la pièce posée autrement.</translation>
+    </message>
+    <message>
+        <source>What to do: a longer shank, a slimmer holder, or the part laid another way.</source>
+        <translation>Que faire : une queue plus longue, un porte-outil plus mince, ou la pièce posée autrement.</translation>
+    </message>
+    <message>
+        <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
+        <translation>Que faire : un brut qui descend plus bas, ou « Sous le fond » là où rien ne le tient.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
+        <translation>Que faire : ajouter Nettoyage, ou une finition avec l'outil qui y entre.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, or finish with a smaller tolerance.</source>
+        <translation>Que faire : ajouter Nettoyage, ou finir avec une tolérance plus petite.</translation>
+    </message>
+    <message>
+        <source>What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : ajouter Nettoyage, qui prend un outil plus petit ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
+    </message>
+    <message>
+        <source>What to do: add Rough before it, so that less stock stands there, or take a tool with longer flutes.</source>
+        <translation>Que faire : ajouter Ébauche avant, pour qu'il y reste moins de brut, ou prendre un outil à dents plus longues.</translation>
+    </message>
+    <message>
+        <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
+        <translation>Que faire : ajouter Ébauche avant la finition, pour enlever le brut qui gêne.</translation>
+    </message>
+    <message>
+        <source>What to do: move the fixture, or cut that place in a second setup.</source>
+        <translation>Que faire : déplacer le bridage, ou usiner cet endroit dans un second posage.</translation>
+    </message>
+    <message>
+        <source>What to do: move the fixture, or keep the operation out of its way by a boundary.</source>
+        <translation>Que faire : déplacer le bridage, ou en éloigner l'opération par une limite.</translation>
+    </message>
+    <message>
+        <source>What to do: raise the clearance of the operation that the list names.</source>
+        <translation>Que faire : augmenter la distance de sécurité de l'opération nommée dans la liste.</translation>
+    </message>
+    <message>
+        <source>What to do: smaller tabs; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : des attaches plus petites ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
+    </message>
+    <message>
+        <source>What to do: widen the boundary; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : élargir la limite ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
     </message>
     <message>
         <source>What varies, and what comes of it</source>
