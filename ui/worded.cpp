@@ -248,10 +248,7 @@ QString message_id(const QString& message) {
 
 QString worded(const QString& english) {
     if (as_core_says() && !has_long_count(english)) return english;
-    qsizetype most = 0;
-    // "facet 3: a corner is not a finite number" is not "{1} is not a finite number" of facets and corners.
-    const bool is_line = message_begin(english, most) > 0 && most > known_letters(english);
-    const auto sentence = is_line ? std::nullopt : sentence_of(english, 0);
+    const auto sentence = sentence_of(english, 0);
     return in_user_quotes(sentence ? *sentence : line_said(english));
 }
 

@@ -143,9 +143,6 @@ private slots:
         // A name is a name, even one that is a word of the catalogue.
         QCOMPARE(ui::worded("there is no operation 'Rough'"),
                  QStringLiteral("es gibt keine Operation „Rough“"));
-        // Without a word of what to do as well, and where the end alone would fit another message.
-        QCOMPARE(ui::worded("facet 12: a corner is not a finite number"),
-                 QStringLiteral("Facette 12: eine Ecke ist keine endliche Zahl"));
         // Messages in the places of messages.
         QCOMPARE(ui::worded("expected a whole number"), QStringLiteral("eine ganze Zahl erwartet"));
         QCOMPARE(ui::worded("allowed: above 0 mm and at most 2.5 mm"),
