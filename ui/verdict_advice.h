@@ -1,5 +1,5 @@
-// What to do about a verification that failed, in one sentence: by what was touched first, then by why most of
-// what stays is there.
+// What to do about a verification that failed, in one sentence: by what was touched first, then by why most
+// of what stays is there.
 #pragma once
 
 #include <QString>
