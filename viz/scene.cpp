@@ -41,6 +41,7 @@ struct Scene::Impl {
     OverlayContent overlay_content();
 
     LayoutRect fitted_beside; ///< the legend at the last fit
+    bool made_room = false;   ///< that came over what was fitted: a smaller one gives the room back
     SceneStage stage;
     SceneAxes axes{stage};
     SceneRehearsal rehearsal{stage.renderer};
@@ -527,7 +528,10 @@ bool Scene::legend_came_over() const {
     const LayoutRect legend = s.overlay.layout(s.overlay_content()).legend, &before = s.fitted_beside;
     const bool same =
         legend.x0 == before.x0 && legend.y0 == before.y0 && legend.x1 == before.x1 && legend.y1 == before.y1;
-    return !same && legend_lies_over();
+    const bool over = !same && legend_lies_over();
+    if (same || !(over || s.made_room)) return false;
+    s.made_room = over;
+    return true;
 }
 
 } // namespace facetmill

@@ -144,7 +144,7 @@ public:
     void fit(bool with_tool = false);
     /// The legend lies over `bounds`.
     bool legend_lies_over() const;
-    /// It does, and is another one than at the last `fit`.
+    /// It is another one than at the last `fit`, and does or did so then: time for another `fit`.
     bool legend_came_over() const;
 
 private:
