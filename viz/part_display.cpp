@@ -60,7 +60,7 @@ class Splitter {
 public:
     Splitter(const Mesh& mesh, const CornersByVertex& by, const std::vector<Vec3>& facet_normals,
              const Vec3& center, std::vector<std::int32_t>& triangles)
-        : mesh_(mesh), by_(by), facet_normals_(facet_normals), center_(center), triweights_(triangles) {}
+        : mesh_(mesh), by_(by), facet_normals_(facet_normals), center_(center), triangles_(triangles) {}
 
     /// Writes the triangles' corners at `v` as numbers within the block.
     void split(std::size_t v, VertexBlock& out) {
@@ -80,7 +80,7 @@ public:
         if (smooth) {
             const std::int32_t index = add(v, sum / length, out);
             for (std::size_t i = 0; i < n; ++i)
-                triweights_[first[i]] = index;
+                triangles_[first[i]] = index;
             return;
         }
         // At a crease every facet joins the facets of the fan that it is smooth with. Long fans, the tips of
@@ -101,10 +101,10 @@ public:
             const auto same =
                 std::find_if(made_.begin(), made_.end(), [&](const Made& m) { return m.normal == normal; });
             if (n <= longest_fan && same != made_.end()) {
-                triweights_[first[i]] = same->index;
+                triangles_[first[i]] = same->index;
             } else {
                 made_.push_back({normal, add(v, normal, out)});
-                triweights_[first[i]] = made_.back().index;
+                triangles_[first[i]] = made_.back().index;
             }
         }
     }
@@ -128,7 +128,7 @@ private:
     const CornersByVertex& by_;
     const std::vector<Vec3>& facet_normals_;
     const Vec3 center_;
-    std::vector<std::int32_t>& triweights_;
+    std::vector<std::int32_t>& triangles_;
     const double cos_crease_ = std::cos(crease_angle);
     std::vector<double> weights_;
     std::vector<Made> made_;
