@@ -71,6 +71,8 @@ private:
         DriveLine line;
         std::vector<Interval> left;
     };
+    /// Lines as far apart as the tolerance allows.
+    bool is_adaptive() const { return !settings_.stepover.is_number(); }
     void plan_parallel();
     void plan_constant(double step);
     void plan_adaptive();
@@ -178,7 +180,7 @@ PlannedPasses Planner::run(double direction, bool judged) {
     result_.cusp_max += chord_;
     result_.chord_tolerance = chord_;
     std::vector<Pass> planned;
-    if (judged) planned = result_.passes;
+    if (judged && is_adaptive()) planned = result_.passes;
     filter_.leave_out_held_up(result_.passes, still(placed(1)));
     if (judged) {
         check_uncut(progress_.part(placed(1), 1, "Looking for what stays uncut"));
@@ -218,10 +220,10 @@ void Planner::check_planes(std::size_t planes) const {
 }
 
 void Planner::plan_parallel() {
-    if (settings_.stepover.is_number())
-        plan_constant(settings_.stepover.number);
-    else
+    if (is_adaptive())
         plan_adaptive();
+    else
+        plan_constant(settings_.stepover.number);
 }
 
 void Planner::plan_constant(double step) {
@@ -368,7 +370,7 @@ void Planner::check_uncut(const Progress& progress) {
     input.top = std::max(context_.stock_box.hi.z(), context_.part_box.hi.z());
     input.passes = result_.passes;
     input.left_out = filter_.held().left;
-    input.tell_passed = !settings_.stepover.is_number();
+    input.tell_passed = is_adaptive();
     uncut_ = find_uncut(input, progress);
 }
 
@@ -376,7 +378,7 @@ void Planner::check_uncut(const Progress& progress) {
 /// holder kept any of them.
 void Planner::add_overlooked(std::vector<Pass> planned, const Progress& progress) {
     const auto is_much = [&] { return uncut_.passed_by.area > max_overlooked * uncut_.area; };
-    if (settings_.stepover.is_number() || !is_much()) return;
+    if (!is_adaptive() || !is_much()) return;
     const UncutReport before = uncut_;
     const std::vector<Pass> without = planned;
     const int lines_before = lines_;
