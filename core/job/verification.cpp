@@ -227,11 +227,19 @@ std::string uncut_reason_text(const UncutReason& reason) {
     return {};
 }
 
-/// What the operation of this name may leave on the part, mm; 0 where there is none.
-static double may_leave(const Project& project, const std::string& name) {
-    for (const auto& o : project.operations)
-        if (o->common().name == name) return o->left_on_purpose() + o->common().tolerance;
-    return 0;
+/// What the operation of this name is not there for: how much it may leave on the part, and where another
+/// tool is to cut.
+static void set_task(VerifyProgram& program, const Project& project, const std::string& name) {
+    for (const auto& o : project.operations) {
+        if (o->common().name != name) continue;
+        program.leaves = o->left_on_purpose() + o->common().tolerance;
+        // A clean-up that is not asked for what stands cuts what the tool before it cannot enter.
+        const Operation::ReadsLeft left = o->reads_left();
+        if (o->purpose() != Purpose::cleaning || left.any()) return;
+        for (const Tool& t : project.further_tools_of(*o))
+            program.beyond = t.cutter();
+        return;
+    }
 }
 
 std::vector<VerifyProgram> verify_programs(const Project& project,
@@ -249,7 +257,7 @@ std::vector<VerifyProgram> verify_programs(const Project& project,
                             {},
                             machine,
                             o->joints});
-        programs.back().leaves = may_leave(project, o->name);
+        set_task(programs.back(), project, o->name);
         set_feeds(programs.back(), o->program);
         if (o->within)
             programs.back().asked = [region = o->within->region, view = o->view](const Vec3& p) {
@@ -355,7 +363,7 @@ ClFilePrograms read_verify_programs(const Project& project, const fs::path& path
         VerifyTool tool = tool_of(project, *section, read.tools[i], file, printable(name), result.remarks);
         result.programs.push_back(
             {std::move(name), std::move(tool), {section, &section->motions}, std::nullopt, {}, machine});
-        result.programs.back().leaves = may_leave(project, section->operation_name);
+        set_task(result.programs.back(), project, section->operation_name);
         set_feeds(result.programs.back(), *section);
         result.sections.push_back(section);
     }

@@ -67,6 +67,9 @@ struct VerifyProgram {
     /// What its operation may leave on the part, mm: one that roughs would not finish where its tool fits.
     /// Only a reason why surface stays uncut is made of it.
     double leaves = 0;
+    /// The cutter before it, of an operation that cuts no more than this cannot enter: what stands where it
+    /// fits is for the operation that it belongs to. Only a reason why surface stays uncut is made of it.
+    std::optional<AptCutter> beyond = {};
     /// The feed of each motion, mm/min; empty: all at `feed`, of which 0 says that it is not known. For loads
     /// alone.
     std::vector<double> feeds = {};

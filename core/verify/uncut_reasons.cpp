@@ -84,9 +84,10 @@ struct FitTool {
     std::vector<Vec3> axes; ///< with which its program cuts
     std::function<bool(const Vec3&)> asked;
     std::shared_ptr<const ToolMotions> motions;
-    double radius = 0;          ///< of the cutter
-    bool finishes = true;       ///< what its operation leaves does not count as uncut
-    Vec3 up = Vec3::UnitZ();    ///< of its setup
+    double radius = 0;                 ///< of the cutter
+    bool finishes = true;              ///< what its operation leaves does not count as uncut
+    std::optional<BodySupport> beyond; ///< the cutter of which its operation cuts what it cannot enter
+    Vec3 up = Vec3::UnitZ();           ///< of its setup
     double lowest = -infinity;  ///< along it: the stock's bottom, or how low the cutter goes if that is lower
     std::optional<Room> before; ///< the stock as it begins with it, where shank and holder keep out of it
 };
@@ -145,6 +146,7 @@ public:
             for (const ToolSection& s : p.tool.sections)
                 tool.sections.emplace_back(s);
             tool.finishes = p.leaves <= used.allowance + limit_;
+            if (p.beyond) tool.beyond.emplace(CutterProfile(*p.beyond));
             if (!p.turning) find_lowest(tool, p, stock);
             if (p.fixtures)
                 for (const FixtureSolid& f : *p.fixtures) {
@@ -186,19 +188,26 @@ public:
         return above && below;
     }
     /// not_cut where a tool fits, boundary, below_bottom, fixture, tab, stock, held, no_operation, or
-    /// no_tool; and the program whose tool or cutter it is.
+    /// no_tool; and the program whose tool or cutter it is. Where only an operation is left that cuts what
+    /// another cutter cannot enter, and that one can, it is its.
     WhyUncut reason(const Vec3& point, const Vec3& normal) const {
-        WhyUncut told_off;
+        WhyUncut told_off, left_to_others;
         for (std::size_t program = tools_.size(); program-- > 0;) {
             const FitTool& tool = tools_[program];
             if (!tool.finishes) continue;
             const UncutReason::Why fit = fit_of(tool, point, normal);
             if (fit == UncutReason::Why::no_tool) continue;
-            if (!tool.asked || tool.asked(point)) return {fit, program};
+            const bool asked = !tool.asked || tool.asked(point);
+            if (asked && tool.beyond && cutter_fits(*tool.beyond, tool, point, normal)) {
+                if (left_to_others.program == no_program) left_to_others = {fit, program};
+                continue;
+            }
+            if (asked) return {fit, program};
             if (fit == UncutReason::Why::not_cut && told_off.program == no_program)
                 told_off = {UncutReason::Why::boundary, program};
         }
         if (told_off.program != no_program) return told_off;
+        if (left_to_others.program != no_program) return left_to_others;
         for (std::size_t program = tools_.size(); program-- > 0;) {
             const FitTool& tool = tools_[program];
             if (!tool.finishes && fit_of(tool, point, normal) == UncutReason::Why::not_cut)
@@ -256,6 +265,15 @@ private:
                : beside_fixture ? UncutReason::Why::fixture
                : held           ? UncutReason::Why::held
                                 : UncutReason::Why::no_tool;
+    }
+    /// Whether a cutter fits without regard to what is above it, with the axes of a program.
+    bool cutter_fits(const BodySupport& cutter, const FitTool& of, const Vec3& point,
+                     const Vec3& normal) const {
+        const Vec3 start = point + allowance_ * normal;
+        for (const auto& [along, axis] : axes_near(of, normal))
+            for (const Vec3& touch : places_at(cutter, normal, *axis))
+                if (room_.has(cutter, {start - touch, *axis}, gouge_limit_ - allowance_)) return true;
+        return false;
     }
     /// Its program's axes that see the surface, the nearest to the normal first.
     static std::vector<std::pair<double, const Vec3*>> axes_near(const FitTool& tool, const Vec3& normal) {

@@ -386,6 +386,48 @@ private slots:
         QVERIFY(reason(x, UncutReason::Why::not_cut) && !reason(x, UncutReason::Why::held));
     }
 
+    /// A clean-up is there for what the cutter before it cannot enter: where that one fits, what keeps its
+    /// operation off is the reason, though the smaller tool could go there; in a groove that it does not
+    /// enter the smaller one is what does not go there.
+    void what_is_not_for_the_smaller_tool() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-10, 0}, {-10, 30}, {-20, 30}},
+                                {{0, 1, 2, 3}, {0, 3, 4, 5}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 31;
+        Tool tool = flat_tool(4);
+        tool.flute_length = 10;
+        tool.shank_diameter = 4;
+        tool.shank_length = 5;
+        tool.holder = {{20, 20}};
+        Tool small = flat_tool(2);
+        small.flute_length = 40;
+        std::array<VerifyProgram, 2> programs{lines(tool, Vec2(-30, 1), Vec2(30, 20), 0, 2),
+                                              lines(small, Vec2(-30, 18), Vec2(30, 20), 0, 1)};
+        programs[0].name = "Finish";
+        programs[1].name = "Clean-up";
+        const Verification all = verify(part, stock, programs, asked(), Progress());
+        const UncutReason* not_cut = reason(all, UncutReason::Why::not_cut);
+        QVERIFY(not_cut && not_cut->program == programs[1].name && !reason(all, UncutReason::Why::held));
+        programs[1].beyond = tool.cutter();
+        const Verification v = verify(part, stock, programs, asked(), Progress());
+        const UncutReason* held = reason(v, UncutReason::Why::held);
+        QVERIFY(held && held->program == programs[0].name);
+        QVERIFY2(std::abs(held->area - 8 * 60) < 60, qPrintable(QString::number(held->area)));
+        QCOMPARE(v.uncut_share, all.uncut_share);
+
+        const Mesh groove = grooved(6, 5);
+        StockSolid block = stock_of(groove.box());
+        block.box.hi.z() = 1;
+        std::array<VerifyProgram, 2> over{lines(flat_tool(12), Vec2(-30, -20), Vec2(30, 20), 0, 8),
+                                          lines(flat_tool(5), Vec2(-30, -20), Vec2(30, 20), 0, 4)};
+        over[0].name = "Finish";
+        over[1].name = "Clean-up";
+        over[1].beyond = flat_tool(12).cutter();
+        const Verification w = verify(groove, block, over, asked(), Progress());
+        const UncutReason* floor = reason(w, UncutReason::Why::not_cut);
+        QVERIFY(floor && floor->program == over[1].name && floor->area > 5 * 60);
+    }
+
     /// A tool whose flutes are shorter than what stands of the stock about a slot does not go deeper, though
     /// it fits; nothing of the part is in its shank's way.
     void what_the_stock_keeps_off() {
