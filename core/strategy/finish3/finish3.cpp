@@ -34,9 +34,6 @@ constexpr std::size_t max_drive_planes = 100000;
 /// Places of the tip that a plan looks at, roughly: some hours' work.
 constexpr double max_places = 2e9;
 
-/// Where more than this share of the surface stays that the cutter could reach, the other direction is
-/// planned too, and taken where it leaves less than this share of that.
-constexpr double much_left = 0.002, better_left = 0.7;
 /// Where more than this share of the surface is passed by, lines are laid through it, so often at most; they
 /// are kept if they leave less than this share of that.
 constexpr double max_overlooked = 0.0005, worth_lines = 0.5;
@@ -44,8 +41,8 @@ constexpr int overlooked_rounds = 3;
 /// Tips beside such a place cut it no farther away than this share of the step on a level plane, seen along
 /// the surface: what a line leaves grows with the square.
 constexpr double overlooked_share = 0.5;
-/// The same where it is expected to travel less than this share; taken where it does travel less than that.
-constexpr double less_expected = 0.9, less_travel = 0.95;
+/// The other direction is planned too where it is expected to travel less than this share.
+constexpr double less_expected = 0.9;
 
 /// Everything one plan needs, worked out once.
 class Planner {
@@ -447,9 +444,7 @@ PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& c
         return best;
     }
     PlannedPasses other = turned.run(second, judged);
-    const bool leaves_less = leaves_much && turned.left() < better_left * planner.left(),
-               shorter = turned.left() <= planner.left() + much_left
-                         && turned.travel(other.path) < less_travel * length;
+    const bool better = is_better({turned.travel(other.path), turned.left()}, {length, planner.left()});
     const PlanText text{context.unit, context.to_setup};
     const auto told = [&](double angle, const StrategyResult& plan, const Planner& by) {
         return direction_text(angle) + ": " + text(by.travel(plan)) + " of passes"
@@ -458,7 +453,7 @@ PlannedPasses planned_best(const Finish3Settings& settings, const PlanContext& c
                       : std::string());
     };
     std::string reason = told(first, best.path, planner) + "; " + told(second, other.path, turned);
-    if (leaves_less || shorter) best = std::move(other);
+    if (better) best = std::move(other);
     best.path.direction_reason = std::move(reason);
     return best;
 }

@@ -16,6 +16,8 @@ constexpr double min_gaps = 2, max_gaps = 8;
 constexpr double travel_of_piece = 2;
 /// A share of lines that leave something counts as so many times that share of the travel.
 constexpr double unsatisfied_weight = 10;
+/// Another direction is better where travel and what stays together come to less than this share.
+constexpr double clearly_less = 0.95;
 
 } // namespace
 
@@ -59,6 +61,11 @@ TravelEstimate estimate_travel(const StepOverInput& input, const Progress& progr
     estimate.length = per_width / samples * (hi - lo);
     estimate.unsatisfied = lines > 0 ? unsatisfied / lines : 0;
     return estimate;
+}
+
+bool is_better(const PlannedTravel& other, const PlannedTravel& than) {
+    const auto price = [](const PlannedTravel& t) { return t.length * (much_left + t.left); };
+    return price(other) < clearly_less * price(than);
 }
 
 double travel_length(const std::vector<Pass>& passes, double radius) {

@@ -21,4 +21,19 @@ TravelEstimate estimate_travel(const StepOverInput& input, const Progress& progr
 /// The same length of passes that are planned.
 double travel_length(const std::vector<Pass>& passes, double radius);
 
+/// Passes of a direction as they are planned.
+struct PlannedTravel {
+    double length = 0; ///< `travel_length`, mm
+    double left = 0;   ///< share of the surface that stays uncut where the cutter could go
+};
+
+/// Where more than this share of the surface stays that the cutter could reach, the other direction is
+/// planned too. What leaves less counts as if it left so much.
+inline constexpr double much_left = 0.002;
+
+/// Whether passes of another direction are clearly better. What stays has to be cut by another operation, so
+/// as many times as less of it stays, as many times as long the passes may be: three times as long to leave
+/// nothing instead of three hundredths, but not to leave thirteen instead of fourteen.
+bool is_better(const PlannedTravel& other, const PlannedTravel& than);
+
 } // namespace facetmill

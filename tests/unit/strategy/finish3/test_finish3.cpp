@@ -2,6 +2,7 @@
 #include "core/mesh/sample.h"
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/finish3/overlooked_lines.h"
+#include "core/strategy/finish3/travel_choice.h"
 #include "core/strategy/surface/cutter_cover.h"
 #include "core/strategy/surface/drive_frame.h"
 #include "tests/property/shapes.h"
@@ -497,6 +498,29 @@ private slots:
         QVERIFY(chosen.direction == y.direction && length(chosen) == length(y));
         QVERIFY(chosen.direction_reason.starts_with("x: ")
                 && chosen.direction_reason.find("; y: ") != std::string::npos);
+    }
+
+    /// Travel and what stays, mm and shares, as parts from elsewhere have them along X and Y: nothing left is
+    /// worth several times the travel, a little less of much that stays anyway is not.
+    void what_stays_is_weighed_against_travel() {
+        struct Part {
+            const char* name;
+            PlannedTravel x, y;
+            bool along_x;
+        };
+        for (const Part& part : {Part{"pillar", {69, 0.03}, {243, 0}, false},
+                                 Part{"bracket", {40205, 0.13}, {15688, 0.14}, false},
+                                 Part{"fan disk", {10205, 0}, {7564, 0.011}, true},
+                                 Part{"flange", {10062, 0.0021}, {15073, 0}, false},
+                                 Part{"rocker arm", {21100, 0.004}, {15200, 0.014}, true},
+                                 Part{"car body", {26327, 0.0026}, {30325, 0.0071}, true},
+                                 Part{"level", {1000, 0.001}, {700, 0.0011}, false}}) {
+            QVERIFY2(is_better(part.x, part.y) == part.along_x, part.name);
+            QVERIFY2(is_better(part.y, part.x) == !part.along_x, part.name);
+        }
+        // About as good, or nothing at all: neither, so that the direction of the normals' change stays.
+        const PlannedTravel once{25607, 0.0033}, again{25852, 0.0032}, none{0, 0};
+        QVERIFY(!is_better(once, again) && !is_better(again, once) && !is_better(none, none));
     }
 
     /// A deep groove hardly wider than ball and shank: across it no piece of a pass is long enough to be
