@@ -222,7 +222,7 @@ private:
     const std::vector<ProgramProbes>& bodies_;
     const StockExit& exit_of_;
     const MeshSight& sight_;
-    Standing standing_;
+    StandingMaterial standing_;
     const ProbeAims& aims_;
     double collision_limit_;
     std::vector<Index> deep_hints_, hints_;

@@ -38,7 +38,7 @@ double collision_limit(double gouge_limit);
 
 /// Probes the samples of the part grown by the allowance, and sets the flag `bare` of those that the stock
 /// does not reach. Where axes turn, the probes are exact to the bound. What is missing by less than the gouge
-/// limit is no collision. What stands higher than `far` on a sample is measured by Standing.
+/// limit is no collision. What stands higher than `far` on a sample is measured by StandingMaterial.
 Probed probe_samples(SurfaceSamples& samples, const MeshSight& sight, const StockSolid& stock,
                      std::span<const VerifyProgram> programs, const ProbeAims& aims,
                      const Progress& progress);

@@ -117,7 +117,7 @@ private:
 
 /// A place of the line that is farther than `limit` from the part, well within the longest stretch of such;
 /// below 0 where there is none.
-double Standing::far_place(const Vec3& p, const Vec3& n, double length, double limit) const {
+double StandingMaterial::far_place(const Vec3& p, const Vec3& n, double length, double limit) const {
     constexpr double accuracy_share = 1e-3;
     const double reach = limit + allowance_, accuracy = accuracy_share * limit;
     std::vector<Near> covered{{0, std::min(limit, length)}}; // the place itself is of the part
@@ -152,7 +152,7 @@ double Standing::far_place(const Vec3& p, const Vec3& n, double length, double l
     return place;
 }
 
-double Standing::off_part(const Vec3& p, const Vec3& n, double top) const {
+double StandingMaterial::off_part(const Vec3& p, const Vec3& n, double top) const {
     if (!(top > far_)) return top;
     // Of what it can be at most. A facet that is hardly nearer than the line's beginning need not be found:
     // over a hollow as wide as the line is high, that is nearly all of its facets.

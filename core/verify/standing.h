@@ -10,11 +10,11 @@
 
 namespace facetmill {
 
-class Standing {
+class StandingMaterial {
 public:
     /// `allowance`: what is to be made is the part grown by this. `far` (mm): what is nearer than this is
     /// told as no more than that, however the lines run.
-    Standing(const MeshSight& sight, double allowance, double far)
+    StandingMaterial(const MeshSight& sight, double allowance, double far)
         : sight_(sight), allowance_(allowance), far_(far) {}
 
     /// How far material on p + t n, t in [0, top], is away from the part; p lies on the part grown, n leads

@@ -62,7 +62,7 @@ private:
     void plan_layers(const Progress& progress);
     void plan_layer(std::size_t layer, const Progress& progress);
     void cut_lines(Lines which, double z, std::optional<double> next, const LayerRoutes& routes,
-                   std::span<const Contour> contours, const Progress& progress);
+                   std::span<const FreeContour> contours, const Progress& progress);
     bool shank_comes_by(const Vec2& a, const Vec2& b, double z) const;
     void cut_floors(const Progress& progress);
     void number_layers();
@@ -164,7 +164,7 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
     // Along one wall, layers that are thinned to different points leave steps of as much, which the shank of
     // a deeper one meets as it slides by.
     const bool slides = field_.highest() > heights_.low + bodies_.sliding_base();
-    const std::vector<Contour> contours =
+    const std::vector<FreeContour> contours =
         ground_->grid().contours(z, progress, slides ? thinned_for_shank : ReachGrid::max_thinned);
     // First the usual lines, then the borders, then the lines between, where a floor stays, and those
     // outside; at last whatever of any line is left.
@@ -181,7 +181,7 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
         cut_.add(std::move(route), routes, contours);
     cut_lines(Lines::floors, z, next, routes, contours, progress);
     cut_lines(Lines::all, z, next, routes, contours, progress);
-    const std::vector<Contour> channels = unseen_channels(reach_, ground_->valleys(), z, progress);
+    const std::vector<FreeContour> channels = unseen_channels(reach_, ground_->valleys(), z, progress);
     for (RoughRoute& route : routes.along_contours(channels, z, cut_.at(), progress)) {
         route.reversible = true;
         cut_.add(std::move(route), routes, contours);
@@ -191,7 +191,7 @@ void Planner::plan_layer(std::size_t layer, const Progress& progress) {
 }
 
 void Planner::cut_lines(Lines which, double z, std::optional<double> next, const LayerRoutes& routes,
-                        std::span<const Contour> contours, const Progress& progress) {
+                        std::span<const FreeContour> contours, const Progress& progress) {
     const std::vector<ReachLine>& lines = ground_->lines();
     std::vector<std::vector<LinePiece>> of_line(lines.size());
     parallel_for(lines.size(), 1, progress.part(0, 0), [&](std::size_t i) {

@@ -77,7 +77,7 @@ std::vector<RoughRoute> RoughPasses::clear_parts(RoughRoute route) {
     return parts;
 }
 
-void RoughPasses::add(RoughRoute route, const LayerRoutes& routes, std::span<const Contour> contours) {
+void RoughPasses::add(RoughRoute route, const LayerRoutes& routes, std::span<const FreeContour> contours) {
     progress_.check();
     std::vector<RoughRoute> parts;
     if (highest_ <= z_ + bodies_.lowest_base())
@@ -96,7 +96,7 @@ void RoughPasses::add(RoughRoute route, const LayerRoutes& routes, std::span<con
 
 /// Where the last pass ended nearby on the same layer the tool stays down: what it meets on the way is to be
 /// cut on this layer anyway.
-bool RoughPasses::join(RoughRoute& route, const LayerRoutes& routes, std::span<const Contour> contours) {
+bool RoughPasses::join(RoughRoute& route, const LayerRoutes& routes, std::span<const FreeContour> contours) {
     const bool oneway = settings_.pattern == RoughSettings::Pattern::oneway;
     if (oneway || passes_.empty() || passes_.back().layer != layer_) return false;
     Pass& last = passes_.back();

@@ -18,7 +18,7 @@ public:
     /// What follows is cut on this layer.
     void begin_layer(int layer, double z);
     /// Cuts a route on the layer, or keeps it for `add_late` where the tool has no room to enter.
-    void add(RoughRoute route, const LayerRoutes& routes, std::span<const Contour> contours);
+    void add(RoughRoute route, const LayerRoutes& routes, std::span<const FreeContour> contours);
     /// What had no room for an entry may have one when all round it is cut, or nothing left to cut; the rest
     /// is left out.
     void add_late();
@@ -41,7 +41,7 @@ public:
 
 private:
     std::vector<RoughRoute> clear_parts(RoughRoute route);
-    bool join(RoughRoute& route, const LayerRoutes& routes, std::span<const Contour> contours);
+    bool join(RoughRoute& route, const LayerRoutes& routes, std::span<const FreeContour> contours);
     void take(const RoughRoute& route, const std::vector<Vec3>& down);
     void take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer);
 

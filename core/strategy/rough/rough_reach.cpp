@@ -124,7 +124,7 @@ double RoughReach::last_free(const Vec2& free, double lift_free, const Vec2& blo
     return low;
 }
 
-double Contour::length() const {
+double FreeContour::length() const {
     double sum = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         sum += (points[i] - points[i - 1]).norm();
@@ -176,7 +176,7 @@ ReachGrid::ReachGrid(const RoughReach& reach, const DriveFrame& frame, const Vec
     }
 }
 
-std::vector<Contour> ReachGrid::contours(double z, const Progress& progress, double thinned) const {
+std::vector<FreeContour> ReachGrid::contours(double z, const Progress& progress, double thinned) const {
     // Crossings are named by the grid's edge: 2 * node + 0 to the right, + 1 upward. Walking round a cell
     // counter-clockwise one leaves the free side at one edge and comes back at another; the contour goes from
     // the first to the second. Each crossing is left once and met once, in the two cells beside its edge.
@@ -229,10 +229,10 @@ std::vector<Contour> ReachGrid::contours(double z, const Progress& progress, dou
         c.at = a + reach_.last_free(a, heights_[c.free], b, heights_[c.blocked], z, hints) * (b - a);
     });
 
-    std::vector<Contour> all;
+    std::vector<FreeContour> all;
     std::vector<char> used(crossings.size(), 0);
     const auto follow = [&](std::size_t start) {
-        Contour contour;
+        FreeContour contour;
         std::size_t i = start;
         for (; i != nowhere && !used[i]; i = crossings[i].next) {
             used[i] = 1;

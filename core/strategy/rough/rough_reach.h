@@ -72,7 +72,7 @@ private:
 };
 
 /// Closed, or from one border of the grid to another; the free side is on the left.
-struct Contour {
+struct FreeContour {
     std::vector<Vec2> points; ///< a closed one ends with its first
     bool closed = false;
     double length() const;
@@ -87,7 +87,7 @@ public:
 
     /// The borders of what is free at z, every point free; points within `thinned` of the margin beside what
     /// stays are left out.
-    std::vector<Contour> contours(double z, const Progress& progress, double thinned = max_thinned) const;
+    std::vector<FreeContour> contours(double z, const Progress& progress, double thinned = max_thinned) const;
     static constexpr double max_thinned = 0.5; ///< the other half is for what lies between places
     double lowest() const { return lowest_; }
 

@@ -62,7 +62,7 @@ constexpr double step_radii = 0.5, gap_radii = 2.2, entry_radii = 1.1;
 constexpr std::size_t block_steps = 32;
 
 /// The points of a contour, and more between them, no more than `step` apart.
-std::vector<Vec2> in_steps(const Contour& contour, double step) {
+std::vector<Vec2> in_steps(const FreeContour& contour, double step) {
     std::vector<Vec2> points{contour.points.front()};
     for (std::size_t i = 1; i < contour.points.size(); ++i) {
         const Vec2 a = points.back(), b = contour.points[i];
@@ -173,12 +173,12 @@ void LayerRoutes::add_pieces(int line, double v, std::span<const Interval> free,
     }
 }
 
-bool LayerRoutes::connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
+bool LayerRoutes::connect(const Vec2& from, const Vec2& to, std::span<const FreeContour> contours, double z,
                           double longest, std::vector<Vec2>& route) const {
     RoughReach::Hints hints;
     if ((to - from).norm() <= longest && reach_.is_free(from, to, z, hints)) return true;
     const double near = 4 * reach_.spacing();
-    for (const Contour& c : contours) {
+    for (const FreeContour& c : contours) {
         const OnRoute a = nearest_on(c.points, from);
         if (a.distance > near) continue;
         const OnRoute b = nearest_on(c.points, to);
@@ -204,8 +204,9 @@ bool LayerRoutes::connect(const Vec2& from, const Vec2& to, std::span<const Cont
 }
 
 std::vector<RoughRoute> LayerRoutes::joined_lines(std::vector<LinePiece> pieces,
-                                                  std::span<const Contour> contours, double z, double longest,
-                                                  bool oneway, Vec2& at, const Progress& progress) const {
+                                                  std::span<const FreeContour> contours, double z,
+                                                  double longest, bool oneway, Vec2& at,
+                                                  const Progress& progress) const {
     std::vector<RoughRoute> routes;
     std::vector<char> done(pieces.size(), 0);
     int lines = 0;
@@ -281,10 +282,11 @@ std::vector<RoughRoute> LayerRoutes::joined_lines(std::vector<LinePiece> pieces,
 }
 
 std::vector<RoughRoute>
-LayerRoutes::along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+LayerRoutes::along_contours(std::span<const FreeContour> contours, double z, Vec2& at,
+                            const Progress& progress,
                             const std::function<bool(const Vec2&, const Vec2&)>& wanted_too) const {
     std::vector<RoughRoute> all;
-    for (const Contour& contour : contours) {
+    for (const FreeContour& contour : contours) {
         progress.check();
         const std::vector<Vec2> points = in_steps(contour, step_radii * cutter_.radius());
         const std::size_t n = points.size() - 1;

@@ -51,17 +51,17 @@ public:
                     std::vector<LinePiece>& pieces) const;
     /// The pieces in machining order. Neighbouring lines are joined where the line between their ends is
     /// free, straight or along a contour, and no longer than `longest`; never with `oneway`.
-    std::vector<RoughRoute> joined_lines(std::vector<LinePiece> pieces, std::span<const Contour> contours,
+    std::vector<RoughRoute> joined_lines(std::vector<LinePiece> pieces, std::span<const FreeContour> contours,
                                          double z, double longest, bool oneway, Vec2& at,
                                          const Progress& progress) const;
     /// Where on the contours there is something to cut at z, or the line between two places is `wanted`.
     std::vector<RoughRoute>
-    along_contours(std::span<const Contour> contours, double z, Vec2& at, const Progress& progress,
+    along_contours(std::span<const FreeContour> contours, double z, Vec2& at, const Progress& progress,
                    const std::function<bool(const Vec2&, const Vec2&)>& wanted = {}) const;
 
     /// Points between two free places for a level route at z that is free all along, straight or along a
     /// contour, and no longer than `longest`; false where there is none.
-    bool connect(const Vec2& from, const Vec2& to, std::span<const Contour> contours, double z,
+    bool connect(const Vec2& from, const Vec2& to, std::span<const FreeContour> contours, double z,
                  double longest, std::vector<Vec2>& route) const;
 
 private:

@@ -226,9 +226,9 @@ std::vector<ReachValley> find_valleys(const RoughReach& reach, const ReachGrid& 
     return valleys;
 }
 
-std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<ReachValley>& valleys,
-                                     double z, const Progress& progress) {
-    std::vector<Contour> channels;
+std::vector<FreeContour> unseen_channels(const RoughReach& reach, const std::vector<ReachValley>& valleys,
+                                         double z, const Progress& progress) {
+    std::vector<FreeContour> channels;
     RoughReach::Hints hints;
     for (const ReachValley& v : valleys) {
         const std::size_t n = v.tips.size();
@@ -252,8 +252,8 @@ std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<
             if (to + 1 < n && free(to + 1)) ++to;
             if (to == from) continue;
             progress.check();
-            Contour floor;
-            std::array<Contour, 2> sides;
+            FreeContour floor;
+            std::array<FreeContour, 2> sides;
             double wide = 0;
             std::size_t last = from; // that had a border
             for (std::size_t k = from; k <= to; ++k) {
@@ -274,7 +274,7 @@ std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<
             if (wide <= reach.margin()) {
                 channels.push_back(std::move(floor));
             } else {
-                for (Contour& side : sides) {
+                for (FreeContour& side : sides) {
                     side.points = thinned_route(side.points, 0.25 * reach.margin());
                     if (side.points.size() > 1) channels.push_back(std::move(side));
                 }

@@ -48,7 +48,7 @@ std::vector<ReachValley> find_valleys(const RoughReach& reach, const ReachGrid& 
 
 /// What is free at z round the floors though no node beside it is, as far as the nearest places that the grid
 /// sees: its borders, or the floor alone where both are next to it.
-std::vector<Contour> unseen_channels(const RoughReach& reach, const std::vector<ReachValley>& valleys,
-                                     double z, const Progress& progress);
+std::vector<FreeContour> unseen_channels(const RoughReach& reach, const std::vector<ReachValley>& valleys,
+                                         double z, const Progress& progress);
 
 } // namespace facetmill

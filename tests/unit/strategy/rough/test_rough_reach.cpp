@@ -163,7 +163,7 @@ private slots:
             const Vec2 lo(uniform(rng, -5, -4), uniform(rng, -5, -4)), hi(5, 5);
             const ReachGrid grid(r.reach, DriveFrame(0), lo, hi, Progress());
             const double z = r.reach.tip_z(Vec2(uniform(rng, -0.05, 0.05), uniform(rng, -0.05, 0.05)), hints);
-            for (const Contour& c : grid.contours(z, Progress())) {
+            for (const FreeContour& c : grid.contours(z, Progress())) {
                 ++borders;
                 if (c.closed) continue;
                 for (const Vec2& end : {c.points.front(), c.points.back()}) {

@@ -51,8 +51,8 @@ struct Layer {
     }
 };
 
-Contour square(double half) {
-    Contour c;
+FreeContour square(double half) {
+    FreeContour c;
     c.closed = true;
     c.points = {{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}};
     return c;
@@ -67,7 +67,7 @@ double length_of(const std::vector<Vec2>& points) {
 
 /// The link between two places of a border runs along it and is as long as it should be; a straight one that
 /// is free does as well.
-void check_link(const Layer& layer, const Vec2& from, const Vec2& to, std::span<const Contour> contours,
+void check_link(const Layer& layer, const Vec2& from, const Vec2& to, std::span<const FreeContour> contours,
                 double exact) {
     std::vector<Vec2> link;
     QVERIFY(layer.routes.connect(from, to, contours, 0, 100, link));
@@ -195,7 +195,7 @@ private slots:
         const ReachGrid grid(layer.reach, DriveFrame(0), Vec2(-9, -9), Vec2(9, 9), Progress());
         const auto closed = grid.contours(0, Progress());
         QCOMPARE(closed.size(), std::size_t(1));
-        std::vector<Contour> open = closed;
+        std::vector<FreeContour> open = closed;
         open[0].closed = false;
         open[0].points.erase(open[0].points.begin(), open[0].points.begin() + 4);
         Random rng(23);
@@ -227,7 +227,7 @@ private slots:
 
     void the_nearest_border_is_cut_first() {
         const Layer layer;
-        std::vector<Contour> borders{square(2), square(2)};
+        std::vector<FreeContour> borders{square(2), square(2)};
         for (Vec2& p : borders[0].points)
             p.x() -= 6;
         for (Vec2& p : borders[1].points)
@@ -245,7 +245,7 @@ private slots:
     void a_border_is_begun_where_nothing_stands() {
         for (const double from : {6.0, 6.3, 6.6, 6.9, 7.2, 7.5}) {
             const Layer layer(Vec3(from, -10, -4), Vec3(20, 10, 2));
-            const std::vector<Contour> borders{square(5)};
+            const std::vector<FreeContour> borders{square(5)};
             Vec2 at(0, 0);
             const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
             QCOMPARE(routes.size(), std::size_t(1));
@@ -258,7 +258,7 @@ private slots:
 
     void a_border_in_stock_is_cut_all_round_from_the_nearest_place() {
         const Layer layer;
-        const std::vector<Contour> borders{square(5)};
+        const std::vector<FreeContour> borders{square(5)};
         Vec2 at(0, -20);
         const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
         QCOMPARE(routes.size(), std::size_t(1));
@@ -271,7 +271,7 @@ private slots:
 
     void of_a_border_only_what_has_work_is_cut() {
         const Layer layer(Vec3(7, -10, -4), Vec3(20, 10, 2)); // beside the square's side x = 5
-        const std::vector<Contour> borders{square(5)};
+        const std::vector<FreeContour> borders{square(5)};
         Vec2 at(0, 0);
         const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
         QCOMPARE(routes.size(), std::size_t(1));
@@ -301,7 +301,7 @@ private slots:
             for (int k = 0; k < 6; ++k)
                 layer.cut(Vec2(uniform(rng, -10, 10), uniform(rng, -10, 10)),
                           Vec2(uniform(rng, -10, 10), uniform(rng, -10, 10)));
-            const std::vector<Contour> borders{square(uniform(rng, 4, 9))};
+            const std::vector<FreeContour> borders{square(uniform(rng, 4, 9))};
             Vec2 at(uniform(rng, -12, 12), uniform(rng, -12, 12));
             const auto routes = layer.routes.along_contours(borders, 0, at, Progress());
             const auto& points = borders[0].points;
