@@ -223,7 +223,8 @@ std::optional<Opened> as_class(const Head& head) {
             return std::nullopt; // a function that returns struct A
         ++end;
     }
-    return Opened{Opened::What::Class, qualified_name(head, end)};
+    // One without a name has no words between its keyword and the brace.
+    return Opened{Opened::What::Class, end > i ? qualified_name(head, end) : std::vector<Token>{}};
 }
 
 /// The function whose body a brace behind `head` opens, if it does.
@@ -328,6 +329,7 @@ private:
     struct Level {
         Opened::What what;
         Extent extent;
+        bool named = true;
     };
 
     void open() {
@@ -377,7 +379,7 @@ private:
     }
 
     void push(const Opened& opened, bool hides) {
-        Level level{opened.what, named(opened, Extent::Kind::Class)};
+        Level level{opened.what, named(opened, Extent::Kind::Class), !opened.name.empty()};
         level.extent.hidden = level.extent.hidden || hides;
         levels_.push_back(level);
     }
@@ -391,7 +393,7 @@ private:
         Level level = levels_.back();
         levels_.pop_back();
         level.extent.last = tokens_[at_].line;
-        if (level.what == Opened::What::Class) scan_.extents.push_back(level.extent);
+        if (level.what == Opened::What::Class && level.named) scan_.extents.push_back(level.extent);
     }
 
     std::vector<Token> tokens_;

@@ -1,5 +1,6 @@
-// The house keeps its order: includes point one way only, core knows no Qt and no VTK, viz no widgets, and no
-// file grows beyond what one can read.
+// The house keeps its order: includes point one way only, core knows no Qt and no VTK, viz no widgets, no
+// file grows beyond what one can read, and a name stands for one class alone.
+#include "tests/arch/cpp_scanner.h"
 #include "tests/arch/source_tree.h"
 #include "tests/support/test_runner.h"
 
@@ -69,6 +70,20 @@ std::optional<std::string> violation(const Include& include) {
     return std::nullopt;
 }
 
+/// Classes of one name in more than one place. The linker takes one of two functions that are called alike,
+/// and the others would work on what is laid out otherwise; nothing warns of it.
+QStringList names_given_twice(const std::map<std::string, std::string>& tree) {
+    std::map<std::string, QStringList> places;
+    for (const auto& [file, text] : tree)
+        for (const Extent& e : scan_cpp(text).extents)
+            if (e.kind == Extent::Kind::Class && !e.hidden)
+                places[e.name] << QString("%1:%2").arg(QString::fromStdString(file)).arg(e.first);
+    QStringList twice;
+    for (const auto& [name, at] : places)
+        if (at.size() > 1) twice << QString("%1: %2").arg(QString::fromStdString(name), at.join(", "));
+    return twice;
+}
+
 } // namespace
 
 class TestLayers : public QObject {
@@ -106,6 +121,22 @@ private slots:
         QVERIFY(!violation({"ui/a.cpp", 1, "QWidget", false}));
         QCOMPARE(includes_in("#include \"a/b.h\"\n  # include <vector>\n// #include <x>\n", "f").size(),
                  std::size_t(2));
+    }
+
+    void a_name_stands_for_one_class() {
+        const QStringList twice = names_given_twice(sources({"core", "viz", "ui", "app"}));
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join('\n')));
+    }
+
+    void a_name_given_twice_is_found() {
+        const std::string a = "namespace n {\nstruct A {};\n}\n";
+        QCOMPARE(names_given_twice({{"a.h", a}, {"b.h", a}}), QStringList{"n::A: a.h:2, b.h:2"});
+        QVERIFY(names_given_twice({{"a.h", a}, {"b.h", "namespace m {\nstruct A {};\n}\n"}}).isEmpty());
+        QVERIFY(names_given_twice({{"a.h", a}, {"b.cpp", "namespace n {\nnamespace {\nstruct A {};\n}\n}\n"}})
+                    .isEmpty());
+        QVERIFY(names_given_twice(
+                    {{"a.h", a}, {"b.h", "namespace n {\nstruct A;\nstruct B {\n  struct A {};\n};\n}\n"}})
+                    .isEmpty());
     }
 
     void files_stay_readable() {

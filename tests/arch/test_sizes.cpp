@@ -184,6 +184,7 @@ private slots:
         QCOMPARE(found("#define OPEN {\\\n  {\nint f() {\n  // }\n  /* } */ s = \"}\\\"}\"; r = "
                        "R\"x(})\")x\"; n = 1'000;\n}\n"),
                  QStringList{"function f 3-6"});
+        QCOMPARE(found("struct A {\n  struct {\n    int x;\n  } b, c;\n};\n"), QStringList{"class A 1-5"});
         QVERIFY(!scan_cpp("void f() {\n").closed);
         QVERIFY(!scan_cpp("void f() {}}\n").closed);
     }
