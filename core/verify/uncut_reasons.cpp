@@ -166,21 +166,22 @@ public:
         tools_[program].before.emplace(stock_places(stock, progress), progress);
     }
     /// True where a program's tool fits no farther than its cutter is wide at its radius from the motion that
-    /// left what stands, or, if it is upright, where others of its motions go by above and below, as along a
-    /// steep side: the next pass is too far away. `by`: that motion; unknown where it is another program's.
+    /// left what stands, as the middle of its end moves, whichever way the axes lean, or, if it is upright,
+    /// where others of its motions go by above and below, as along a steep side: the next pass is too far
+    /// away. `by`: that motion; unknown where it is another program's.
     bool is_beside(const Vec3& point, const Vec3& normal, std::size_t program, const MotionPlace& by) const {
         const FitTool& tool = tools_[program];
-        Vec3 tip;
+        CutterLocation fits;
         if (!tool.finishes || (tool.asked && !tool.asked(point))
-            || fit_of(tool, point, normal, &tip) != UncutReason::Why::not_cut)
+            || fit_of(tool, point, normal, &fits) != UncutReason::Why::not_cut)
             return false;
         const std::span<const Motion> motions = tool.motions->motions;
-        if (by.known() && from_motion(tip, motions, by.motion).norm() <= tool.radius) return true;
+        if (by.known() && from_motion(fits, tool, by.motion).norm() <= tool.radius) return true;
         if (tool.axes.size() != 1) return false;
         bool above = false, below = false;
         for (std::size_t i = 1; i < motions.size() && !(above && below); ++i) {
             if (motions[i].kind == MotionKind::rapid) continue;
-            const Vec3 off = from_motion(tip, motions, i);
+            const Vec3 off = from_motion(fits, tool, i);
             const double height = off.dot(tool.axes.front());
             if (off.squaredNorm() - height * height <= tool.radius * tool.radius)
                 (height < 0 ? above : below) = true;
@@ -226,17 +227,22 @@ private:
             if (m.kind != MotionKind::rapid)
                 tool.lowest = std::min(tool.lowest, lowest_of(tool.cutter, m.to, tool.up));
     }
-    /// To a tip from where another is nearest to it in a motion.
-    static Vec3 from_motion(const Vec3& tip, std::span<const Motion> motions, std::size_t motion) {
-        const Vec3 to = motions[motion].to.tip, moved = to - motions[motion > 0 ? motion - 1 : 0].to.tip;
+    /// To the middle of a cutter's end from where it is nearest in a motion.
+    static Vec3 from_motion(const CutterLocation& at, const FitTool& tool, std::size_t motion) {
+        const std::span<const Motion> motions = tool.motions->motions;
+        const auto middle = [&](const CutterLocation& l) {
+            return Vec3(l.tip + tool.cutter.middle() * l.axis);
+        };
+        const Vec3 end = middle(at), to = middle(motions[motion].to),
+                   moved = to - middle(motions[motion > 0 ? motion - 1 : 0].to);
         const double square = moved.squaredNorm();
-        const double t = square > 0 ? std::clamp((to - tip).dot(moved) / square, 0.0, 1.0) : 0;
-        return tip - to + t * moved;
+        const double t = square > 0 ? std::clamp((to - end).dot(moved) / square, 0.0, 1.0) : 0;
+        return end - to + t * moved;
     }
-    /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools; for the first the
-    /// tip.
+    /// not_cut, below_bottom, fixture, tab, stock, held or no_tool for one of the tools; for the first
+    /// where.
     UncutReason::Why fit_of(const FitTool& tool, const Vec3& point, const Vec3& normal,
-                            Vec3* tip = nullptr) const {
+                            CutterLocation* fits = nullptr) const {
         const Vec3 start = point + allowance_ * normal;
         bool held = false, beside_fixture = false, in_tab = false, in_stock = false, low = false;
         for (const auto& [along, axis] : axes_near(tool, normal))
@@ -255,7 +261,7 @@ private:
                          || (tool.before && !body_stands(*tool.before, at, tool)))
                     in_stock = true;
                 else {
-                    if (tip) *tip = at.tip;
+                    if (fits) *fits = at;
                     return UncutReason::Why::not_cut;
                 }
             }

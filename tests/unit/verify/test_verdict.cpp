@@ -556,6 +556,37 @@ private slots:
         QVERIFY(down.uncut_share < kept.uncut_share);
     }
 
+    /// The same with axes that lean to this side and that in turn: tips lie elsewhere, the ball goes by.
+    void what_leaning_passes_too_far_apart_leave() {
+        const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 4;
+        Tool ball = ball_tool(6);
+        ball.flute_length = 40;
+        VerifyProgram leaning{"Leaning", VerifyTool(ball), nullptr, {}};
+        auto motions = std::make_shared<ToolMotions>();
+        const double lean = radians(50);
+        double side = 1;
+        for (double y = -20; y <= 20; y += 4, side = -side) {
+            const Vec3 axis(0, side * std::sin(lean), std::cos(lean));
+            const auto to = [&](MotionKind kind, const Vec3& middle) {
+                motions->motions.push_back({kind, {middle - 3 * axis, axis}, no_index, no_index});
+            };
+            to(MotionKind::rapid, Vec3(-40, y, 40));
+            to(MotionKind::cut, Vec3(-40, y, 3));
+            to(MotionKind::cut, Vec3(40, y, 3));
+            to(MotionKind::rapid, Vec3(40, y, 40));
+        }
+        leaning.motions = motions;
+        const Verification v = judged(part, stock, leaning);
+        QVERIFY(!v.gouged());
+        const UncutReason* apart = reason(v, UncutReason::Why::passes_apart);
+        QVERIFY(apart && apart->counts() && apart->excess_max > 0.6);
+        const UncutReason* not_cut = reason(v, UncutReason::Why::not_cut);
+        QVERIFY2(!not_cut || not_cut->area < 0.02 * apart->area,
+                 qPrintable(QString::number(not_cut ? not_cut->area : 0)));
+    }
+
     /// Between two passes a ball leaves a cusp that it could cut; where it never goes it leaves all.
     void what_passes_too_far_apart_leave() {
         const Mesh part = prism({{-20, -10}, {20, -10}, {20, 0}, {-20, 0}}, {{0, 1, 2, 3}});
