@@ -6,18 +6,61 @@
 #include <QWindow>
 
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace facetmill::ui {
 
+namespace {
+
+/// A window with two sets of framebuffers, for pictures of two sizes in turn: to make one larger or smaller
+/// again and again costs 10 to 60 ms each time where the memory of the pictures is the processor's.
+class TwoSizeWindow : public vtkGenericOpenGLRenderWindow {
+public:
+    static TwoSizeWindow* New();
+    vtkTypeMacro(TwoSizeWindow, vtkGenericOpenGLRenderWindow);
+
+    /// Draws in the other set from now on.
+    void swap_framebuffers() {
+        for (std::size_t i = 0; i < 3; ++i) {
+            other_[i]->SetContext(this); // as OpenGLInit does with the first set
+            std::swap(*own()[i], other_[i]);
+        }
+    }
+    void ReleaseGraphicsResources(vtkWindow* window) override {
+        for (auto* f : other_)
+            f->ReleaseGraphicsResources(window);
+        vtkGenericOpenGLRenderWindow::ReleaseGraphicsResources(window);
+    }
+
+private:
+    using Framebuffer = vtkOpenGLFramebufferObject*;
+    TwoSizeWindow() {
+        for (Framebuffer& f : other_)
+            f = vtkOpenGLFramebufferObject::New();
+    }
+    ~TwoSizeWindow() override {
+        for (Framebuffer f : other_)
+            f->Delete();
+    }
+    std::array<Framebuffer*, 3> own() {
+        return {&RenderFramebuffer, &DisplayFramebuffer, &ResolveFramebuffer};
+    }
+    std::array<Framebuffer, 3> other_{};
+};
+vtkStandardNewMacro(TwoSizeWindow);
+
+} // namespace
+
 struct SceneCanvas::Window {
-    vtkSmartPointer<vtkGenericOpenGLRenderWindow> vtk = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+    vtkSmartPointer<TwoSizeWindow> vtk = vtkSmartPointer<TwoSizeWindow>::New();
 };
 
 namespace {
@@ -189,10 +232,12 @@ void SceneCanvas::draw(int coarseness) {
         await_frame();
     } else {
         // Fewer pixels, shown larger. Afterwards the window has its size again: picking counts in its pixels.
+        w->swap_framebuffers();
         w->SetSize(std::max(1, width_px / part), std::max(1, height_px / part));
         scene_.set_pixel_ratio(ratio / part);
         w->Render();
         await_frame();
+        w->swap_framebuffers();
         w->SetSize(width_px, height_px);
         scene_.set_pixel_ratio(ratio);
     }

@@ -25,6 +25,9 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLRenderWindow.h>
+
 #include <cmath>
 #include <random>
 
@@ -380,6 +383,11 @@ private slots:
         QApplication::sendEvent(&view, &move);
         const QImage coarse = shown();
         QVERIFY(!view.finished());
+        // It has a smaller framebuffer of its own; the full picture's is not made anew for every drag.
+        auto* gl = vtkOpenGLRenderWindow::SafeDownCast(view.scene().camera().window());
+        QVERIFY(gl);
+        const int *kept = gl->GetRenderFramebuffer()->GetLastSize(), *whole = gl->GetSize();
+        QCOMPARE(QSize(kept[0], kept[1]), QSize(whole[0], whole[1]));
         // What is picked is what is under the pointer, however coarse the picture.
         const auto under = view.scene().part().pick(middle.x(), middle.y());
         QVERIFY(under.has_value());
