@@ -6,10 +6,14 @@
 #include "tests/support/test_runner.h"
 #include "viz/offscreen.h"
 #include "viz/scene_actor.h"
+#include "viz/scene_renderer.h"
 #include "viz/strip_display.h"
 
 #include <QDir>
 #include <QTest>
+
+#include <vtkRenderWindow.h>
+#include <vtkRendererCollection.h>
 
 #include <cmath>
 
@@ -293,6 +297,27 @@ private slots:
                  qPrintable(QString::number(sum / double(still.rgb.size()))));
         scene.set_moving(false);
         QCOMPARE(different_pixels(still, window_.render()), std::size_t(0));
+    }
+
+    /// What can be seen through needs textures as large as the picture.
+    void pictures_of_two_sizes_in_turn_keep_their_textures() {
+        Scene scene;
+        scene.part().set(box_part({0, 0, 0}, {60, 40, 25}));
+        scene.stock().set_box({{-8, -8, 0}, {68, 48, 30}});
+        const Picture large = drawn(scene), small = drawn(scene, 240, 180);
+        auto* renderer =
+            SceneRenderer::SafeDownCast(scene.camera().window()->GetRenderers()->GetFirstRenderer());
+        QVERIFY(renderer);
+        const std::size_t sized = renderer->textures_sized();
+        QVERIFY(sized > 0);
+        for (int i = 0; i < 3; ++i) {
+            QCOMPARE(different_pixels(large, drawn(scene)), std::size_t(0));
+            QCOMPARE(different_pixels(small, drawn(scene, 240, 180)), std::size_t(0));
+        }
+        QCOMPARE(renderer->textures_sized(), sized);
+        (void)drawn(scene, 320, 240);
+        QVERIFY(renderer->textures_sized() > sized);
+        QCOMPARE(different_pixels(large, drawn(scene)), std::size_t(0));
     }
 
     void a_picture_in_steps_is_the_whole_picture() {
