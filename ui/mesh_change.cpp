@@ -62,13 +62,12 @@ MeshFile mesh_file(const std::filesystem::path& path) {
     return {path.lexically_normal(), file_stamp(path)};
 }
 
-MeshFigures figures_of(const MeshPtr& mesh, const MeshReport* report) {
-    MeshFigures figures{mesh->facets.size(), mesh->box(), {}, {}};
-    if (report) {
-        figures.guess = report->unit_guess;
-        figures.unit = report->assumed_unit;
-    }
-    return figures;
+MeshFigures part_figures(const PreparedPart& part) {
+    return {part.mesh->facets.size(), part.box, part.report.unit_guess, part.report.assumed_unit};
+}
+
+MeshFigures stock_figures(const PreparedPart& part) {
+    return {part.stock_mesh->facets.size(), part.stock_box, {}, {}};
 }
 
 QString mesh_change_text(const MeshFile& before, const MeshFigures& was, const MeshFile& after,

@@ -29,7 +29,9 @@ struct MeshFigures {
     /// What its size suggests, and what it is read in; not told of stocks.
     std::optional<LengthUnit> guess, unit;
 };
-MeshFigures figures_of(const MeshPtr& mesh, const MeshReport* report = nullptr);
+MeshFigures part_figures(const PreparedPart& part);
+/// The part has a stock mesh.
+MeshFigures stock_figures(const PreparedPart& part);
 
 /// "“b.stl” in place of “a.stl”: 1 250 facets (1 234 before), 10 × 8 × 2 in as before."
 QString mesh_change_text(const MeshFile& before, const MeshFigures& was, const MeshFile& after,

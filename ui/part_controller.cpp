@@ -97,16 +97,13 @@ void PartController::note_change(const LoadedPart& loaded) {
         changes_ << mesh_change_text(old_file, was, new_file, is, unit);
         return true;
     };
-    if (before
-        && add(part_file_, loaded.part_file, figures_of(before->mesh, &before->report),
-               figures_of(loaded.part->mesh, &loaded.part->report))) {
+    if (before && add(part_file_, loaded.part_file, part_figures(*before), part_figures(*loaded.part))) {
         part_replaced_ = true;
         const Mesh &was = *before->mesh, &is = *loaded.part->mesh;
         if (was.vertices != is.vertices || was.facets != is.facets) viewport_.scene().former().set(display_);
     }
     if (before && before->stock_mesh && loaded.part->stock_mesh)
-        add(stock_file_, loaded.stock_file, figures_of(before->stock_mesh),
-            figures_of(loaded.part->stock_mesh));
+        add(stock_file_, loaded.stock_file, stock_figures(*before), stock_figures(*loaded.part));
     part_file_ = loaded.part_file;
     stock_file_ = loaded.stock_file;
 }

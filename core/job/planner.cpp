@@ -423,6 +423,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
                                                   progress.part(0.7, 1.0))
                            : rests   ? c.carried->mesh
                                      : nullptr;
+        part->stock_box = part->stock_mesh ? part->stock_mesh->box() : Box3();
         part->stock_edge_loss = rests ? c.carried->edge_loss : 0;
         c.part = std::move(part);
         c.stock_key = stock_key;

@@ -36,6 +36,7 @@ struct PreparedPart {
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
     MeshPtr stock_mesh;            ///< in place; null where the stock is neither one nor a rest
+    Box3 stock_box;                ///< of stock_mesh
     double stock_edge_loss = 0;    ///< see StockSolid
     std::shared_ptr<const std::vector<FixtureSolid>> fixtures; ///< null: none
     MeshPtr kept_off; ///< the part, and the fixtures grown by their clearance: what no tool may touch

@@ -37,7 +37,7 @@ StockSolid stock_solid(const StockSpec& stock, const PreparedPart& part) {
         solid.kind = StockSolid::Kind::mesh;
         solid.mesh = part.stock_mesh;
         solid.edge_loss = part.stock_edge_loss;
-        if (part.stock_mesh) solid.box = part.stock_mesh->box();
+        solid.box = part.stock_box;
         break;
     }
     return solid;
@@ -53,7 +53,7 @@ std::vector<std::string> stock_warnings(const StockSpec& stock, const PreparedPa
                                + length_text(2 * c.radius, unit) + ", the part needs "
                                + length_text(2 * c.needed, unit, 4) + ".");
     } else if (stock.kind == StockSpec::Kind::mesh && part.stock_mesh) {
-        const Box3 box = part.stock_mesh->box();
+        const Box3& box = part.stock_box;
         const double beyond = std::max((box.lo - part.box.lo).maxCoeff(), (part.box.hi - box.hi).maxCoeff());
         if (beyond > tolerance::coordinate_rounding * part.box.diagonal())
             warnings.push_back("The stock does not hold the part, which reaches up to "
