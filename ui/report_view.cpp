@@ -117,6 +117,9 @@ void ReportView::refresh() {
     } else {
         html = part_html();
     }
+    // Most of what it is told of changes nothing here, and laying it out is dear.
+    if (html == shown_) return;
+    shown_ = html;
     const int scrolled = verticalScrollBar()->value();
     setHtml(html);
     verticalScrollBar()->setValue(scrolled);

@@ -29,6 +29,7 @@ private:
 
     Document& document_;
     std::optional<TreeNode> node_;
+    QString shown_; ///< what it says now, as HTML
 };
 
 } // namespace facetmill::ui
