@@ -40,9 +40,8 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
     connect(panel_, &PlacePanel::turn_wanted, this, [this](int axis, int quarters) {
         steps_->lay(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))), quarter_turn(axis, quarters));
     });
-    connect(panel_, &PlacePanel::square_wanted, this, [this] {
-        if (const Mesh* m = mesh()) steps_->lay(tr("Square up part"), turn_to_square(*m));
-    });
+    connect(panel_, &PlacePanel::square_wanted, this,
+            [this] { steps_->lay(tr("Square up part"), turn_to_square); });
     connect(panel_, &PlacePanel::principal_wanted, steps_, &PlaceSteps::lay_by_principal_axes);
     connect(panel_, &PlacePanel::mirror_wanted, steps_, &PlaceSteps::mirror);
     connect(panel_, &PlacePanel::drop_wanted, steps_, &PlaceSteps::drop_to_zero);
@@ -78,12 +77,13 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
             [this](const std::optional<PartPick>& pick, Qt::KeyboardModifiers) { take(pick); });
     for (BackgroundJob* job : {&job_, &hole_job_})
         connect(job, &BackgroundJob::ended, this, &PlaceController::settled);
+    connect(steps_, &PlaceSteps::settled, this, &PlaceController::settled);
 }
 
 PlaceController::~PlaceController() = default;
 
 bool PlaceController::busy() const {
-    return job_.running() || hole_job_.running() || flight_->flying();
+    return job_.running() || hole_job_.running() || steps_->busy() || flight_->flying();
 }
 
 void PlaceController::project_opened() {
@@ -320,19 +320,25 @@ void PlaceController::lay_on(const PartPick& pick) {
     if (!mesh()) return;
     // What is seen of a sheet from behind is laid down as it is seen.
     const Vec3 down = pick.back_side ? Vec3(-pick.normal) : pick.normal;
-    const Mesh& part = *mesh();
-    double lowest = -infinity;
-    for (const Facet& f : part.facets)
-        for (const Index v : f)
-            lowest = std::max(lowest, down.dot(part.vertices[v]));
-    const double above = lowest - down.dot(part.corner(pick.facet, 0));
+    auto above = std::make_shared<double>(0);
     leave();
-    steps_->lay(tr("Lay part on face"), turn_to_lie(down));
-    // A face in a hollow, or between feet.
-    if (above > 1e-3 * part.box().diagonal())
-        messages_.information(
-            tr("The face is level now and %1 above the table: something else of the part reaches lower.")
-                .arg(shown_length(above, document_.unit(), 4)));
+    steps_->lay(
+        tr("Lay part on face"),
+        [above, down, facet = pick.facet](const Mesh& part, const Progress&) {
+            double lowest = -infinity;
+            for (const Facet& f : part.facets)
+                for (const Index v : f)
+                    lowest = std::max(lowest, down.dot(part.vertices[v]));
+            *above = lowest - down.dot(part.corner(facet, 0));
+            return turn_to_lie(down);
+        },
+        [this, above, size = document_.part()->box.diagonal()] {
+            // A face in a hollow, or between feet.
+            if (*above > 1e-3 * size)
+                messages_.information(tr("The face is level now and %1 above the table: something else of "
+                                         "the part reaches lower.")
+                                          .arg(shown_length(*above, document_.unit(), 4)));
+        });
 }
 
 void PlaceController::take_point(const PartPick& pick) {
@@ -344,19 +350,21 @@ void PlaceController::take_point(const PartPick& pick) {
         return;
     }
     const std::vector<Vec3> points = std::exchange(points_, {});
-    const Mat3 turn = turn_to_lie(down_through(points[0], points[1], points[2], mesh()->box().center()));
+    const Mat3 turn =
+        turn_to_lie(down_through(points[0], points[1], points[2], document_.part()->box.center()));
     leave();
     steps_->lay(tr("Lay part on three points"), turn);
 }
 
 void PlaceController::take_edge(const PartPick& pick) {
-    const auto outline = border_loops(part_of(*mesh(), flat_face(*mesh(), Index(pick.facet))).mesh);
-    const auto side = nearest_side(outline, pick.point);
-    if (!side) return;
-    const std::vector<Vec3>& loop = outline[side->loop];
-    const Mat3 turn = turn_along_x(loop[(side->corner + 1) % loop.size()] - loop[side->corner]);
     leave();
-    steps_->lay(tr("Align edge with X"), turn);
+    steps_->lay(tr("Align edge with X"), [pick](const Mesh& part, const Progress&) -> std::optional<Mat3> {
+        const auto outline = border_loops(part_of(part, flat_face(part, Index(pick.facet))).mesh);
+        const auto side = nearest_side(outline, pick.point);
+        if (!side) return std::nullopt;
+        const std::vector<Vec3>& loop = outline[side->loop];
+        return turn_along_x(loop[(side->corner + 1) % loop.size()] - loop[side->corner]);
+    });
 }
 
 } // namespace facetmill::ui

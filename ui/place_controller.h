@@ -58,7 +58,7 @@ private:
     void take(const std::optional<PartPick>& pick);
     void take_point(const PartPick& pick);
     void take_edge(const PartPick& pick);
-    const Mesh* mesh() const { return steps_->mesh(); }
+    const Mesh* mesh() const { return steps_->part() ? steps_->part()->mesh.get() : nullptr; }
 
     Document& document_;
     Viewport& viewport_;

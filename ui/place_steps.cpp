@@ -7,48 +7,70 @@
 
 #include <Eigen/Geometry>
 
+#include <memory>
+#include <utility>
+
 namespace facetmill::ui {
 
 PlaceSteps::PlaceSteps(Document& document, Viewport& viewport, Messages& messages, QObject* parent)
-    : QObject(parent), document_(document), viewport_(viewport), messages_(messages) {}
-
-const Mesh* PlaceSteps::mesh() const {
-    return document_.part_is_current() ? document_.part()->mesh.get() : nullptr;
+    : QObject(parent), document_(document), viewport_(viewport), messages_(messages) {
+    connect(&job_, &BackgroundJob::ended, this, &PlaceSteps::settled);
 }
 
-bool PlaceSteps::lay(const QString& what, const Mat3& turn) {
-    const Mesh* m = mesh();
-    return m && change(what, laid(placement_of(document_.project().placed_part()), *m, turn));
+const PreparedPart* PlaceSteps::part() const {
+    return document_.part_is_current() ? document_.part().get() : nullptr;
+}
+
+void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then) {
+    const auto part = document_.part();
+    if (!this->part() || busy()) return;
+    auto after = std::make_shared<std::optional<Placement>>();
+    const std::size_t setup = chosen_setup(document_.project());
+    job_.start(
+        what,
+        [after, part, turn = std::move(turn),
+         before = placement_of(document_.project().placed_part())](const Progress& progress) {
+            if (const auto by = turn(*part->mesh, progress))
+                *after = laid(before, *part->mesh, *by, progress);
+        },
+        // Weak: the last one to hold a large part must not be the window.
+        [this, what, after, setup, then = std::move(then),
+         of = std::weak_ptr<const PreparedPart>(part)](const JobEnd& end) {
+            const auto was = of.lock();
+            if (end.how == JobEnd::How::cancelled || !was || this->part() != was.get()
+                || chosen_setup(document_.project()) != setup)
+                return;
+            if (!end.done()) return messages_.warning(sentence(end.message));
+            if (*after && change(what, **after) && then) then();
+        });
+}
+
+void PlaceSteps::lay(const QString& what, const Mat3& turn) {
+    lay(what, [turn](const Mesh&, const Progress&) { return turn; });
 }
 
 void PlaceSteps::mirror(int axis) {
-    if (const Mesh* m = mesh())
+    if (const PreparedPart* p = part())
         change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
-               mirrored(placement_of(document_.project().placed_part()), axis, m->box().center()[axis]));
+               mirrored(placement_of(document_.project().placed_part()), axis, p->box.center()[axis]));
 }
 
 void PlaceSteps::drop_to_zero() {
-    if (const Mesh* m = mesh())
+    if (const PreparedPart* p = part())
         change(tr("Drop part to Z 0"),
-               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -m->box().lo.z())));
+               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -p->box.lo.z())));
 }
 
 void PlaceSteps::centre() {
-    const Mesh* m = mesh();
-    if (!m) return;
-    const Vec3 middle = m->box().center();
+    const PreparedPart* p = part();
+    if (!p) return;
+    const Vec3 middle = p->box.center();
     change(tr("Centre part"),
            moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)));
 }
 
 void PlaceSteps::lay_by_principal_axes() {
-    const Mesh* m = mesh();
-    if (!m) return;
-    try {
-        lay(tr("Lay part by its principal axes"), turn_to_principal(*m));
-    } catch (const Error& e) {
-        tell(e);
-    }
+    lay(tr("Lay part by its principal axes"), turn_to_principal);
 }
 
 std::pair<Mat3, Vec3> PlaceSteps::motion(const Box3& box, PlaceChange what, int axis, double value) {
@@ -58,20 +80,20 @@ std::pair<Mat3, Vec3> PlaceSteps::motion(const Box3& box, PlaceChange what, int 
 }
 
 bool PlaceSteps::apply(PlaceChange what, int axis, double value) {
-    const Mesh* m = mesh();
-    if (!m) return false;
+    const PreparedPart* p = part();
+    if (!p) return false;
     if (what == PlaceChange::scale) return scale(value);
     const Placement now = placement_of(document_.project().placed_part());
     const QChar letter(u'X' + char16_t(axis));
     if (what == PlaceChange::move)
         return change(tr("Move part along %1").arg(letter), moved(now, value * Vec3::Unit(axis)));
-    const Box3 box = m->box();
+    const Box3& box = p->box;
     return change(tr("Turn part about %1").arg(letter),
                   turned(now, motion(box, what, axis, value).first, box.center()));
 }
 
 bool PlaceSteps::scale(double factor) {
-    const Box3 box = mesh()->box();
+    const Box3 box = part()->box; // a change may replace the part
     const Placement now = placement_of(document_.project().placed_part());
     // A point p comes to factor * (p - t) + t; the middle and the lowest point are to stay.
     const Vec3 t(now.translate[0], now.translate[1], now.translate[2]);

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "core/setup/placement.h"
+#include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/place_value.h"
+
+#include <functional>
+#include <optional>
 
 namespace facetmill::ui {
 
@@ -16,9 +20,15 @@ public:
     PlaceSteps(Document& document, Viewport& viewport, Messages& messages, QObject* parent);
 
     /// The part as it stands, where the project says that it does; null while it is read anew.
-    const Mesh* mesh() const;
-    /// Turned, the middle of its box over the same place and its lowest point on Z 0. False: nothing changed.
-    bool lay(const QString& what, const Mat3& turn);
+    const PreparedPart* part() const;
+    /// What turns a part; may throw Error, and nothing is turned where it finds nothing. Called in the thread
+    /// of a job: it walks all facets.
+    using Turn = std::function<std::optional<Mat3>(const Mesh&, const Progress&)>;
+    /// Turned, the middle of its box over the same place and its lowest point on Z 0, worked out aside from
+    /// the window. `then` where that was a change. Does nothing while the last one is still worked out, nor
+    /// where the part or the setup has become another meanwhile.
+    void lay(const QString& what, Turn turn, std::function<void()> then = {});
+    void lay(const QString& what, const Mat3& turn);
     void mirror(int axis);
     void drop_to_zero();
     void centre();
@@ -28,6 +38,10 @@ public:
     bool apply(PlaceChange what, int axis, double value);
     /// What `apply` would make of a place, without a change of the project.
     static std::pair<Mat3, Vec3> motion(const Box3& box, PlaceChange what, int axis, double value);
+    bool busy() const { return job_.running(); }
+
+signals:
+    void settled();
 
 private:
     bool scale(double factor);
@@ -37,6 +51,7 @@ private:
     Document& document_;
     Viewport& viewport_;
     Messages& messages_;
+    BackgroundJob job_; // last: it ends first
 };
 
 } // namespace facetmill::ui

@@ -203,11 +203,16 @@ void sort_faces(std::vector<LyingFace>& faces, LyingOrder order, double surface)
                      [&](const LyingFace& a, const LyingFace& b) { return key(a) < key(b); });
 }
 
-std::vector<Vec3> points_of(const Mesh& mesh) {
+/// Facets between two looks at a Progress.
+constexpr std::size_t facets_a_look = 1 << 16;
+
+std::vector<Vec3> points_of(const Mesh& mesh, const Progress& progress) {
     std::vector<bool> used(mesh.vertices.size(), false);
-    for (const Facet& f : mesh.facets)
-        for (const Index v : f)
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        if (f % facets_a_look == 0) progress.check();
+        for (const Index v : mesh.facets[f])
             used[v] = true;
+    }
     std::vector<Vec3> points;
     for (std::size_t v = 0; v < used.size(); ++v)
         if (used[v]) points.push_back(mesh.vertices[v]);
@@ -217,7 +222,7 @@ std::vector<Vec3> points_of(const Mesh& mesh) {
 /// The faces that a part can lie on, without what they touch, and the points of its hull.
 std::vector<LyingFace> stable_faces(const Mesh& mesh, double slack, std::vector<Vec3>& corners,
                                     const Progress& progress) {
-    const std::vector<Vec3> points = points_of(mesh);
+    const std::vector<Vec3> points = points_of(mesh, progress);
     const ConvexHull hull = convex_hull(points, progress);
     if (hull.dimension < 2)
         throw Error(ErrorCode::empty_result, "part", "its points lie on a line: there is no face to lie on",
@@ -326,10 +331,11 @@ Vec3 down_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middl
     return above > 0 ? unit : Vec3(-unit);
 }
 
-Mat3 turn_to_square(const Mesh& mesh) {
+Mat3 turn_to_square(const Mesh& mesh, const Progress& progress) {
     std::vector<Vec2> seen;
-    for (const Vec3& p : points_of(mesh))
+    for (const Vec3& p : points_of(mesh, progress))
         seen.emplace_back(p.head<2>());
+    progress.check();
     const std::vector<Index> ring = convex_outline(seen);
     double best = infinity, angle = 0;
     // The smallest rectangle has a side on one of the outline's.
@@ -358,11 +364,12 @@ namespace {
 
 /// Second moments of a surface about its middle, by area. A triangle's are those of its corners and its
 /// middle.
-Mat3 surface_moments(const Mesh& mesh) {
+Mat3 surface_moments(const Mesh& mesh, const Progress& progress) {
     Vec3 sum = Vec3::Zero();
     double area = 0;
     const auto weight = [&](std::size_t f) { return 0.5 * mesh.facet_cross(f).norm(); };
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        if (f % facets_a_look == 0) progress.check();
         area += weight(f);
         sum += weight(f) * (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
     }
@@ -370,6 +377,7 @@ Mat3 surface_moments(const Mesh& mesh) {
     const Vec3 middle = sum / area;
     Mat3 moments = Mat3::Zero();
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+        if (f % facets_a_look == 0) progress.check();
         Vec3 all = Vec3::Zero();
         Mat3 own = Mat3::Zero();
         for (int k = 0; k < 3; ++k) {
@@ -390,9 +398,9 @@ Mat3 turn_along(const Vec3& direction, int axis) {
 
 } // namespace
 
-Mat3 turn_to_principal(const Mesh& mesh) {
+Mat3 turn_to_principal(const Mesh& mesh, const Progress& progress) {
     constexpr double alike = 1e-3; // of the largest moment
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(surface_moments(mesh));
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(surface_moments(mesh, progress));
     const Vec3& moments = solver.eigenvalues(); // ascending
     const Mat3& axes = solver.eigenvectors();
     const bool short_two = moments[1] - moments[0] <= alike * moments[2],
@@ -418,27 +426,28 @@ Mat3 turn_to_principal(const Mesh& mesh) {
     return best;
 }
 
-Box3 turned_box(const Mesh& mesh, const Mat3& turn) {
+Box3 turned_box(const Mesh& mesh, const Mat3& turn, const Progress& progress) {
     Box3 box;
-    for (const Vec3& p : points_of(mesh))
+    for (const Vec3& p : points_of(mesh, progress))
         box.add(turn * p);
     return box;
 }
 
-Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& given) {
-    const Vec3 was = mesh.box().center();
+Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& given, const Progress& progress) {
+    const Box3 before = mesh.box();
     Placement after = turned(placement, given, Vec3::Zero());
     // Normals of facets are as good as the numbers of their file: angles that are whole degrees but for what
     // moves no point noticeably are whole degrees.
-    const double reach = 0.5 * mesh.box().size().norm();
+    const double reach = 0.5 * before.size().norm();
     for (double& angle : after.rotate)
         if (const double whole = radians(std::round(degrees(angle)));
             std::abs(angle - whole) * reach < noticeable_move)
             angle = whole + 0.0;
     const Mat3 turn = rotation_of(after.rotate) * rotation_of(placement.rotate).transpose();
     after.translate = turned(placement, turn, Vec3::Zero()).translate;
-    const Box3 box = turned_box(mesh, turn);
-    return moved(after, Vec3(was.x() - box.center().x(), was.y() - box.center().y(), -box.lo.z()));
+    const Box3 box = turned_box(mesh, turn, progress);
+    return moved(after, Vec3(before.center().x() - box.center().x(), before.center().y() - box.center().y(),
+                             -box.lo.z()));
 }
 
 } // namespace facetmill

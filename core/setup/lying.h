@@ -47,19 +47,19 @@ Mat3 turn_along_x(const Vec3& edge);
 Vec3 down_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middle);
 /// The turn about Z with the smallest box around what is seen from above, its longer side along X; of several
 /// the smallest turn.
-Mat3 turn_to_square(const Mesh& mesh);
+Mat3 turn_to_square(const Mesh& mesh, const Progress& progress = {});
 
 /// The turn that brings the principal axes of a mesh's surface (its second moments by area about its middle)
 /// along X, Y and Z: the longest along X, the shortest along Z; of the four ways round the smallest turn.
 /// Where two of them are alike, as in what is round, the third alone is brought, by the smallest turn. Throws
 /// Error(out_of_range) where all are alike.
-Mat3 turn_to_principal(const Mesh& mesh);
+Mat3 turn_to_principal(const Mesh& mesh, const Progress& progress = {});
 
 /// The box of a mesh once turned about the origin.
-Box3 turned_box(const Mesh& mesh, const Mat3& turn);
+Box3 turned_box(const Mesh& mesh, const Mat3& turn, const Progress& progress = {});
 /// The placement of a part (`mesh`: in its place) after a turn: the middle of its box keeps its X and Y, and
 /// its lowest point has Z 0. Angles that are whole degrees but for half a thousandth of a millimetre of the
 /// part are whole degrees.
-Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& turn);
+Placement laid(const Placement& placement, const Mesh& mesh, const Mat3& turn, const Progress& progress = {});
 
 } // namespace facetmill

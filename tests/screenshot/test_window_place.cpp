@@ -14,6 +14,7 @@
 #include "ui/project_tree.h"
 #include "ui/properties_panel.h"
 #include "ui/report_view.h"
+#include "ui/setup_list.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -29,6 +30,7 @@
 #include <QTreeWidget>
 
 #include <cmath>
+#include <utility>
 
 using namespace facetmill;
 using namespace facetmill::test;
@@ -72,6 +74,63 @@ private slots:
         QVERIFY(wait_until_settled(w()));
     }
     void cleanup() { close_window(); }
+
+    /// All facets are walked for that.
+    void laying_is_worked_out_aside() {
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        for (const char* name : {"place_square", "place_principal"}) {
+            w().document().change(QStringLiteral("Turn"), [](Project& p) {
+                p.part.rotate = {0, 0, radians(20)};
+            });
+            QVERIFY(wait_until_settled(w()));
+            const int steps = w().document().undo_stack().count();
+            auto* lay = w().findChild<QAbstractButton*>(QLatin1String(name));
+            lay->click();
+            QCOMPARE(w().document().undo_stack().count(), steps);
+            QVERIFY(w().busy());
+            lay->click(); // in vain: it is being worked out
+            QVERIFY(wait_until_settled(w()));
+            QCOMPARE(w().document().undo_stack().count(), steps + 1);
+            QVERIFY(w().document().part_is_current());
+        }
+    }
+
+    /// Whatever has become of the part meanwhile: what was worked out is of the part as it lay.
+    void laying_of_what_has_changed_is_dropped() {
+        auto& d = w().document();
+        auto* square = w().findChild<QAbstractButton*>(QStringLiteral("place_square"));
+        const auto turn = [&](double degrees) {
+            d.change(QStringLiteral("Turn"), [&](Project& p) { p.part.rotate = {0, 0, radians(degrees)}; });
+        };
+        action(w(), "place")->trigger();
+        turn(20);
+        QVERIFY(wait_until_settled(w()));
+        square->click();
+        turn(10);
+        const Placement turned = placement_of(d.project().part);
+        const int steps = d.undo_stack().count();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(placement_of(d.project().part) == turned);
+        QCOMPARE(d.undo_stack().count(), steps);
+        // Undone, another setup that lies alike, and none.
+        square->click();
+        d.undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(d.undo_stack().index(), steps - 1);
+        QVERIFY(d.undo_stack().canRedo());
+        square->click();
+        ui::add_setup(d, ui::NewSetup::as_it_lies);
+        const auto places = [&] { return std::pair(setup_at(d.project(), 0).place, d.project().place); };
+        const auto were = places();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(places() == were);
+        square->click();
+        QVERIFY(w().busy());
+        d.clear();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!d.has_part());
+    }
 
     void a_face_from_the_list() {
         QVERIFY(!action(w(), "place")->icon().isNull());
