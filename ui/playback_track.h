@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <thread>
 #include <vector>
 
 namespace facetmill::ui {
@@ -22,10 +23,16 @@ public:
         std::optional<Tool> tool; ///< to be shown; none where it makes no cutter
         std::shared_ptr<const OperationResult> result;
         std::optional<TurningAxis> turning; ///< how the part turns, as the stock is cut with it
+        bool accelerations = false;         ///< its time counts them
     };
 
-    /// The operations of a plan in its order.
+    /// The operations of a plan in its order. When each motion has ended is followed on the machine in a
+    /// thread of its own, which takes a while for a long path of five axes; whoever asks for it earlier
+    /// waits.
     PlaybackTrack(std::vector<Operation> operations, const Machine& machine);
+    ~PlaybackTrack();
+    PlaybackTrack(const PlaybackTrack&) = delete;
+    PlaybackTrack& operator=(const PlaybackTrack&) = delete;
 
     std::size_t motion_count() const { return first_.back(); }
     std::size_t operation_count() const { return operations_.size(); }
@@ -44,12 +51,16 @@ public:
     /// Machining time from the start, seconds.
     double time_at(double position) const;
     double position_at(double seconds) const;
-    double seconds() const { return ends_.empty() ? 0.0 : ends_.back(); }
+    /// All motions take so long, as the plan says; never waits.
+    double seconds() const;
 
 private:
+    struct Times;
+    const std::vector<double>& ends() const; ///< when each motion has ended
     std::vector<Operation> operations_;
     std::vector<std::size_t> first_; ///< motion of each operation, and the number of all
-    std::vector<double> ends_;       ///< when each motion has ended
+    std::shared_ptr<Times> times_;
+    std::thread follower_;
 };
 
 using PlaybackTrackPtr = std::shared_ptr<const PlaybackTrack>;

@@ -190,7 +190,10 @@ void VerificationController::follow_plan() {
                                        {},
                                        program,
                                        input->programs[operations.size()].turning};
-            if (opened) o.tool = opened->tools[i];
+            if (opened)
+                o.tool = opened->tools[i];
+            else if (const auto at = document_.index_of(ids[i]))
+                o.accelerations = document_.operation(*at).accelerations();
             for (const Tool& t : document_.project().tools)
                 if (!opened && t.number == program->program.tool_number) o.tool = t;
             if (o.tool) radius = std::min(radius, o.tool->diameter / 2);
