@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace facetmill::ui {
 
@@ -53,10 +54,17 @@ void PathChart::build_stepover() {
     std::map<int, Drive> drives;
     for (const Pass& pass : result.path.passes)
         drives.try_emplace(pass.drive, Drive{pass.offset, 0, pass.drive});
+    // The first cut of each; a pass has thousands of motions, and belongs to one drive.
     const auto& motions = result.program.motions.motions;
-    for (std::size_t m = motions.size(); m-- > 0;)
-        if (motions[m].kind == MotionKind::cut && motions[m].pass < result.path.passes.size())
-            drives[result.path.passes[motions[m].pass].drive].motion = m;
+    std::set<int> begun;
+    Index last = Index(result.path.passes.size());
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+        const Index pass = motions[m].pass;
+        if (motions[m].kind != MotionKind::cut || pass == last || pass >= result.path.passes.size()) continue;
+        last = pass;
+        const int drive = result.path.passes[pass].drive;
+        if (begun.insert(drive).second) drives[drive].motion = m;
+    }
     for (const auto& [drive, values] : drives)
         drives_.push_back(values);
     std::sort(drives_.begin(), drives_.end(),
