@@ -1,6 +1,7 @@
 #include "ui/verification_panel.h"
 
 #include "core/job/verification.h"
+#include "ui/html_label.h"
 #include "ui/icons.h"
 #include "ui/sorted_item.h"
 #include "ui/text.h"
@@ -41,11 +42,14 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(6);
 
-    const auto label = [&](const char* name) {
-        auto* l = new QLabel(page);
+    const auto named = [](QLabel* l, const char* name) {
         l->setObjectName(QLatin1String(name));
-        l->setWordWrap(true);
         l->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        return l;
+    };
+    const auto label = [&](const char* name) {
+        QLabel* l = named(new QLabel(page), name);
+        l->setWordWrap(true);
         l->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         return l;
     };
@@ -74,8 +78,7 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     auto* results = new QVBoxLayout(results_);
     results->setContentsMargins(0, 0, 0, 0);
     results->setSpacing(6);
-    figures_ = label("figures");
-    figures_->setTextFormat(Qt::RichText);
+    figures_ = named(new HtmlLabel(page), "figures");
     histogram_ = new DeviationHistogramView(results_);
     range_ = new DeviationRangeEditor(results_);
     connect(range_, &DeviationRangeEditor::edited, this, &VerificationPanel::range_edited);
@@ -96,8 +99,7 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     findings_->header()->setStretchLastSection(true);
     connect(findings_, &QTreeWidget::itemClicked, this, &VerificationPanel::choose);
     connect(findings_, &QTreeWidget::itemActivated, this, &VerificationPanel::choose);
-    remarks_ = label("remarks");
-    remarks_->setTextFormat(Qt::RichText);
+    remarks_ = named(new HtmlLabel(page), "remarks");
     for (QWidget* w : std::initializer_list<QWidget*>{figures_, histogram_, range_, findings_title_})
         results->addWidget(w);
     results->addWidget(findings_, 100);
