@@ -1,9 +1,11 @@
 // Verification and playback in the window: F6 to the badges, what makes them stale, and a stock that is cut
 // while one watches.
 #include "core/job/program_files.h"
+#include "core/output/motion_time.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/camera_flight.h"
 #include "ui/first_steps.h"
+#include "ui/html_label.h"
 #include "ui/icons.h"
 #include "ui/layer_bar.h"
 #include "ui/operation_list.h"
@@ -445,10 +447,77 @@ private slots:
         QVERIFY(!w().layers().shown(ViewLayer::stock)); // as the user wants it
     }
 
+    /// Layouts ask for heights again and again.
+    void figures_are_laid_out_once_for_a_width() {
+        QVERIFY(open_and_plan() && verify());
+        auto* figures = w().findChild<HtmlLabel*>(QStringLiteral("figures"));
+        QVERIFY(figures && !figures->text().isEmpty());
+        QLabel plain;
+        plain.setTextFormat(Qt::RichText);
+        plain.setWordWrap(true);
+        plain.setTextInteractionFlags(figures->textInteractionFlags());
+        plain.setFont(figures->font());
+        plain.setText(figures->text());
+        const std::vector<int> widths{140, 180, 260};
+        for (const int width : widths)
+            QCOMPARE(figures->heightForWidth(width), plain.heightForWidth(width));
+        const int measured = figures->times_measured();
+        for (const int width : widths)
+            QCOMPARE(figures->heightForWidth(width), plain.heightForWidth(width));
+        QCOMPARE(figures->times_measured(), measured);
+        const QString words = figures->text() + QStringLiteral("<p>One more.</p>");
+        figures->setText(words);
+        plain.setText(words);
+        QCOMPARE(figures->heightForWidth(180), plain.heightForWidth(180));
+        QVERIFY(figures->times_measured() > measured);
+        QFont large = figures->font();
+        large.setPointSizeF(2 * large.pointSizeF());
+        figures->setFont(large);
+        plain.setFont(large);
+        QCOMPARE(figures->heightForWidth(180), plain.heightForWidth(180));
+    }
+
+    void the_report_is_laid_out_when_it_says_something_else() {
+        QVERIFY(open_and_plan());
+        int times = 0;
+        connect(&w().report(), &QTextBrowser::textChanged, this, [&] { ++times; });
+        emit w().document().states_changed();
+        emit w().document().part_changed();
+        QCOMPARE(times, 0);
+        const LengthUnit other = w().document().unit() == LengthUnit::mm ? LengthUnit::inch : LengthUnit::mm;
+        w().document().change(QStringLiteral("unit"), [&](Project& p) { p.unit = other; });
+        QVERIFY(times > 0);
+        QVERIFY(w().report().toPlainText().contains(QChar(' ') + text(unit_name(other))));
+    }
+
+    /// As in the report, where an operation's time counts them.
+    void machining_time_counts_accelerations() {
+        QVERIFY(open_and_plan());
+        auto& d = w().document();
+        auto slow = std::make_shared<OperationResult>(*d.result(0));
+        const std::size_t i = d.add_operation("finish5");
+        d.change(QStringLiteral("accelerations"), [&](Project& p) {
+            p.machine = "trunnion-ac"; // whose axes take time for it
+            p.operations[i]->set("accelerations", ParameterValue(true));
+            p.operations[0]->common().off = true;
+        });
+        const Machine machine = project_machine(d.project());
+        const double without = motion_totals(slow->program, machine).time_seconds;
+        slow->totals = motion_totals(slow->program, machine, {.accelerations = true});
+        d.take({{d.operation_id(i), slow, {}, Document::fingerprint(d.project(), i)}});
+        QVERIFY(wait_until_settled(w()));
+        const PlaybackTrack& track = playback().track();
+        QVERIFY(slow->totals.time_seconds > without + 1e-3);
+        QCOMPARE(track.seconds(), slow->totals.time_seconds);
+        QVERIFY(std::abs(track.time_at(double(track.motion_count())) - track.seconds()) < 1e-6);
+    }
+
     void machining_time_runs_as_the_machine() {
         QVERIFY(open_and_plan());
         const PlaybackTrack& track = playback().track();
-        QVERIFY(std::abs(track.seconds() - w().document().result(0)->totals.time_seconds) < 1e-6);
+        QCOMPARE(track.seconds(), w().document().result(0)->totals.time_seconds);
+        // Followed motion by motion.
+        QVERIFY(std::abs(track.time_at(double(track.motion_count())) - track.seconds()) < 1e-6);
         for (const double t : {0.0, 0.3, 0.77}) {
             const double p = track.position_at(t * track.seconds());
             QVERIFY(std::abs(track.time_at(p) - t * track.seconds()) < 1e-6 * track.seconds());
