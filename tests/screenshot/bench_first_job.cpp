@@ -2,6 +2,7 @@
 // workspaces, played back, exported. Prints a table of the longest pauses of its event loop; asserts nothing.
 //
 //     xvfb-run -a bench_first_job [FACETS]
+//     FACETMILL_TRACE_PAUSES=40 xvfb-run -a bench_first_job    # also where each pause above 40 ms goes
 #include "core/job/project.h"
 #include "core/mesh/mesh_io.h"
 #include "tests/screenshot/bench_support.h"
@@ -15,6 +16,7 @@
 #include "ui/verification_controller.h"
 #include "ui/workspaces.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QKeyEvent>
 
@@ -96,5 +98,7 @@ int main(int argc, char** argv) {
     // As it was: plan and verdict are read, not made.
     row("opened again", [&] { window.open_file(app.home() + QStringLiteral("/job.facetmill")); });
     if (!window.verification().model().current()) std::printf("it is not as it was\n");
+    for (const char* name : {"place_square", "place_principal"})
+        row(name, [&] { window.findChild<QAbstractButton*>(QLatin1String(name))->click(); });
     return 0;
 }
