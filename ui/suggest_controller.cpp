@@ -25,6 +25,8 @@ QString suggestion_title(const Suggestion& s) {
 QString suggestion_figures(const Suggestion& s, LengthUnit unit) {
     const Measures& m = s.result.measures;
     const double per = mm_per(unit);
+    if (s.previewed)
+        return SuggestController::tr("About %1, by a preview of its passes").arg(duration_text(s.seconds));
     return SuggestController::tr("About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut")
         .arg(duration_text(s.seconds), shown_length(m[Measure::excess_p99].value_or(0) * per, unit, 2),
              share_words(m[Measure::uncut_share].value_or(0)));
@@ -67,7 +69,7 @@ QStringList reasons_of(const Suggestions& all, std::size_t i) {
     const auto left = [&](std::size_t k) {
         return all.best[k].result.measures[Measure::excess_p99].value_or(0);
     };
-    bool quickest = true, cleanest = true;
+    bool quickest = true, cleanest = !s.previewed;
     for (std::size_t k = 0; k < all.best.size(); ++k) {
         quickest = quickest && s.seconds <= all.best[k].seconds;
         cleanest = cleanest && left(i) <= left(k);
@@ -82,7 +84,10 @@ QStringList reasons_of(const Suggestions& all, std::size_t i) {
             reasons << SuggestController::tr("Takes %1 times as long as the quickest")
                            .arg(number_text(s.seconds / least, 3));
     }
-    if (!s.result.passed)
+    if (!s.result.passed && s.previewed)
+        reasons << SuggestController::tr("Leaves about %1 % of what the tool sees of the part uncut")
+                       .arg(share_words(s.result.measures[Measure::uncut_share].value_or(0)));
+    else if (!s.result.passed)
         reasons
             << SuggestController::tr("Alone it does not pass the verification: %1").arg(worded(s.result.why));
     return reasons;
@@ -138,13 +143,14 @@ void SuggestController::look() {
             if (end.how == JobEnd::How::failed) return dialog_->show_status(end.message);
             if (!end.done()) return dialog_->show_status(tr("Stopped. Nothing is suggested."));
             found_ = found;
-            found_for_ = asked;
+            found_for_ = looked_for_ = asked;
             show();
             if (found_for_ != this->asked()) show_stale();
         });
 }
 
 void SuggestController::show() {
+    as_found_ = true;
     std::vector<SuggestDialog::Card> cards;
     for (std::size_t i = 0; i < found_->best.size(); ++i) {
         const Suggestion& s = found_->best[i];
@@ -152,6 +158,12 @@ void SuggestController::show() {
                          suggestion_figures(s, document_.unit()), reasons_of(*found_, i)});
     }
     dialog_->show_cards(cards);
+    if (found_->best.front().previewed)
+        return dialog_->show_status(
+            tr("The best of %1 operations by previews of their passes. Planning all of them, to judge what "
+               "they leave, would take long: add one, then plan and verify it.",
+               nullptr, int(found_->looked_at))
+                .arg(count_text(found_->looked_at)));
     dialog_->show_status(
         tr("The best of %1 operations that were planned for this part and the project's tools, "
            "by time and by what they leave",
@@ -160,6 +172,7 @@ void SuggestController::show() {
 }
 
 void SuggestController::show_stale() {
+    as_found_ = false;
     dialog_->show_status(tr("The project has changed since: look again to be sure."));
 }
 
@@ -173,6 +186,7 @@ void SuggestController::add(std::size_t i) {
     const QString name = text(one.front()->common().name);
     document_.add_operations(tr("Add operation"), place, std::move(one), {});
     found_for_ = asked(); // with one of them more the others are no worse
+    as_found_ = false;
     dialog_->show_status(tr("%1 was added to the project. Undo takes it away.").arg(name));
     emit added(place);
 }
@@ -188,7 +202,14 @@ void SuggestController::project_opened() {
 }
 
 void SuggestController::project_changed() {
-    if (dialog_ && found_ && found_for_ != asked()) show_stale();
+    if (!dialog_ || !found_) return;
+    const std::string now = asked();
+    if (now == looked_for_ && !as_found_) {
+        found_for_ = now; // undone
+        show();
+    } else if (now != found_for_ && now != looked_for_) {
+        show_stale();
+    }
 }
 
 } // namespace facetmill::ui

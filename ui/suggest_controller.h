@@ -40,8 +40,10 @@ private:
     QWidget* window_ = nullptr;
     SuggestDialog* dialog_ = nullptr; ///< once it was opened
     std::shared_ptr<const Suggestions> found_;
-    std::string found_for_; ///< the project that they were found for
-    BackgroundJob job_;     // last: it ends first
+    std::string looked_for_; ///< the project that they were found for
+    std::string found_for_;  ///< the same, with those of them that were added
+    bool as_found_ = false;  ///< nothing is said but what was found
+    BackgroundJob job_;      // last: it ends first
 };
 
 } // namespace facetmill::ui

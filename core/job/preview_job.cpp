@@ -131,12 +131,12 @@ std::vector<char> PassPreviewer::cells(const Project& project, const std::string
 }
 
 PassPreview PassPreviewer::preview(const Project& project, std::size_t i, const PreparedPart& part,
-                                   const Progress& progress) {
+                                   const Progress& progress, std::size_t max_facets) {
     const Operation& operation = *project.operations.at(i);
-    if (part.mesh->facet_count() > max_previewed_facets)
+    if (part.mesh->facet_count() > max_facets)
         throw Error(ErrorCode::limit_exceeded, operation.common().name,
                     "the part has " + std::to_string(part.mesh->facet_count())
-                        + " facets: passes are previewed up to " + std::to_string(max_previewed_facets),
+                        + " facets: passes are previewed up to " + std::to_string(max_facets),
                     "plan the operation to see its passes");
     PreviewRequest request;
     request.context = preview_context(project, i, part, {});

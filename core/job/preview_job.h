@@ -14,10 +14,10 @@ namespace facetmill {
 class PassPreviewer {
 public:
     /// The passes of operation `i` of the project's shown setup, in the setup's coordinates. `part` is the
-    /// project's. Throws Error(limit_exceeded) for a part of too many facets, Error(missing_reference) for a
-    /// boundary or tool that is not there, and what preview_passes does.
+    /// project's. Throws Error(limit_exceeded) for a part of more facets than `max_facets`,
+    /// Error(missing_reference) for a boundary or tool that is not there, and what preview_passes does.
     PassPreview preview(const Project& project, std::size_t i, const PreparedPart& part,
-                        const Progress& progress);
+                        const Progress& progress, std::size_t max_facets = max_previewed_facets);
     /// The part seen along Z, as previews have it.
     std::shared_ptr<const CoarseGround> ground(const PreparedPart& part, const Progress& progress) {
         return view(part, Mat3::Identity(), progress).ground;

@@ -7,9 +7,12 @@
 #include "core/job/verify_limits.h"
 #include "core/strategy/surface/slope_facets.h"
 #include "core/study/evaluation.h"
+#include "core/study/previewed.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace facetmill {
 
@@ -17,6 +20,10 @@ namespace {
 
 /// How many are suggested, and how many of those that can be planned are judged, at least.
 constexpr std::size_t max_suggested = 3, fewest_judged = 4;
+/// Of a processor: longer than that nobody waits for advice.
+constexpr double longest_wait = 15;
+/// A preview leaves no more than others where it is less than this share of the part.
+constexpr double more_left = 0.02;
 
 /// Nothing of them but a curve says where they cut.
 bool needs_curve(const Operation& operation) {
@@ -82,12 +89,61 @@ public:
 
     Suggestions run(const Progress& progress) {
         describe(progress.part(0, 0.02));
-        if (!rough_.operations.empty())
-            before_ = seconds_of(evaluate(rough_, rough_, Rung::estimate, progress.part(0.02, 0.1)));
         const auto all = suggestable(project_);
         made_.looked_at = all.size();
+        std::vector<Suggestion> found = previewed(all, progress.part(0.02, 0.1));
+        std::set<const Operation*> fit;
+        double wait = 0;
+        for (const Suggestion& s : found) {
+            const double more = planning_.at(s.operation.get());
+            if (wait + more > longest_wait) continue;
+            wait += more;
+            fit.insert(s.operation.get());
+        }
+        if (fit.size() == found.size() || fit.size() >= fewest_judged)
+            found = judged(all, fit, progress.part(0.1, 1));
+        choose(found);
+        return std::move(made_);
+    }
+
+private:
+    /// By what their previews say, the best first.
+    std::vector<Suggestion> previewed(const std::vector<std::shared_ptr<const Operation>>& all,
+                                      const Progress& progress) {
+        PassPreviewer previewer;
+        std::vector<Suggestion> found;
+        double least = infinity;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            progress.task(all[i]->common().name);
+            const Project with = candidate(*all[i]);
+            try {
+                const PreviewedOperation preview = previewed_operation(
+                    previewer, with, with.operations.size() - 1, part_, share(progress, 0, 1, i, all.size()));
+                Suggestion s = named(all[i]);
+                s.previewed = true;
+                s.seconds = preview.seconds;
+                s.result.measures[Measure::uncut_share] = preview.uncut_share;
+                planning_[all[i].get()] = preview.planning_seconds;
+                least = std::min(least, preview.uncut_share);
+                found.push_back(std::move(s));
+            } catch (const Error& e) {
+                made_.refused.emplace_back(all[i]->common().name, e.what());
+            }
+        }
+        for (Suggestion& s : found)
+            s.result.passed = left_by(s).first <= least + more_left;
+        std::ranges::stable_sort(found, preferred);
+        return found;
+    }
+
+    /// Those of all that are wanted, planned and the quicker half of them judged.
+    std::vector<Suggestion> judged(const std::vector<std::shared_ptr<const Operation>>& all,
+                                   const std::set<const Operation*>& wanted, const Progress& progress) {
+        if (!rough_.operations.empty())
+            before_ = seconds_of(evaluate(rough_, rough_, Rung::estimate, progress.part(0, 0.1)));
         std::vector<Suggestion> planned;
         for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!wanted.contains(all[i].get())) continue;
             progress.task(all[i]->common().name);
             Suggestion s = looked_at(all[i], Rung::estimate, share(progress, 0.1, 0.5, i, all.size()));
             if (s.result.passed)
@@ -96,22 +152,19 @@ public:
                 made_.refused.emplace_back(all[i]->common().name, s.result.why);
         }
         std::ranges::stable_sort(planned, {}, &Suggestion::seconds);
-        const std::size_t judged =
-            std::min(planned.size(), std::max(fewest_judged, (planned.size() + 1) / 2));
+        const std::size_t most = std::min(planned.size(), std::max(fewest_judged, (planned.size() + 1) / 2));
         std::vector<Suggestion> found;
-        for (std::size_t i = 0; i < judged; ++i) {
+        for (std::size_t i = 0; i < most; ++i) {
             progress.task(planned[i].operation->common().name);
-            Suggestion s = looked_at(planned[i].operation, Rung::coarse, share(progress, 0.5, 1, i, judged));
+            Suggestion s = looked_at(planned[i].operation, Rung::coarse, share(progress, 0.5, 1, i, most));
             if (gouges(s))
                 made_.refused.emplace_back(s.operation->common().name, s.result.why);
             else
                 found.push_back(std::move(s));
         }
-        choose(found);
-        return std::move(made_);
+        return found;
     }
 
-private:
     static Progress share(const Progress& progress, double from, double to, std::size_t i, std::size_t n) {
         return progress.part(from + (to - from) * double(i) / double(n),
                              from + (to - from) * double(i + 1) / double(n));
@@ -139,10 +192,15 @@ private:
     Suggestion looked_at(const std::shared_ptr<const Operation>& operation, Rung rung,
                          const Progress& progress) const {
         const Project candidate = this->candidate(*operation);
-        Suggestion s;
-        s.operation = operation;
+        Suggestion s = named(operation);
         s.result = evaluate(candidate, candidate, rung, progress);
         s.seconds = seconds_of(s.result) - before_;
+        return s;
+    }
+
+    Suggestion named(const std::shared_ptr<const Operation>& operation) const {
+        Suggestion s;
+        s.operation = operation;
         const Tool& tool = project_.tool_of(*operation);
         s.tool = "T" + std::to_string(tool.number) + ' ' + tool.name;
         return s;
@@ -182,7 +240,8 @@ private:
     const Project& project_;
     const PreparedPart& part_;
     Project rough_;
-    double before_ = 0; ///< seconds that roughing takes
+    double before_ = 0;                           ///< seconds that roughing takes
+    std::map<const Operation*, double> planning_; ///< what planning and judging them takes, s
     Suggestions made_;
 };
 

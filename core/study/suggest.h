@@ -1,7 +1,11 @@
-// Suggestions: which finishing operation serves a part best, with the tools of its project. Every candidate
-// is planned and judged as candidates of a study are (evaluation.h): all of them planned, the quickest half
-// of those judged coarsely. What is wanted is little time and little left, on all of the part that is to be
-// finished; who is surpassed in both by another is none of the best.
+// Suggestions: which finishing operation serves a part best, with the tools of its project. What is wanted is
+// little time and little left, on all of the part that is to be finished; who is surpassed in both by another
+// is none of the best.
+//
+// Every candidate is previewed (previewed.h), in a fraction of a second. Where planning them all is no long
+// wait, which the previews tell, they are planned and judged as candidates of a study are (evaluation.h), the
+// quickest half of them coarsely; else only the best of the previews are, as many as the wait allows. Where
+// that is not even as many as are suggested, as on most scans, the previews decide.
 #pragma once
 
 #include "core/base/progress.h"
@@ -18,7 +22,10 @@ struct Suggestion {
     std::shared_ptr<const Operation> operation; ///< as new_operation makes it, with a name of its kind
     std::string tool;                           ///< "T2 Ball 6 mm"
     double seconds = 0;                         ///< of the operation alone
-    RungResult result; ///< of the project with it in place of its finishing operations
+    /// Of the project with it in place of its finishing operations. Of a previewed one `uncut_share` and
+    /// whether it leaves no more than others do.
+    RungResult result;
+    bool previewed = false; ///< neither planned nor judged
 };
 
 /// What is known of the part that candidates were asked for.

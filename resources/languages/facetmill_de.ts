@@ -11396,6 +11396,10 @@
         <translation>, Abhub %1</translation>
     </message>
     <message>
+        <source>. Stick-out: %1; the part needs %2</source>
+        <translation>. Auskraglänge: %1; das Teil braucht %2</translation>
+    </message>
+    <message>
         <source>0 … 6</source>
         <translation>0 … 6</translation>
     </message>
@@ -11547,6 +11551,10 @@
     <message>
         <source>A+</source>
         <translation>A+</translation>
+    </message>
+    <message>
+        <source>About %1, by a preview of its passes</source>
+        <translation>Etwa %1, nach einer Vorschau der Bahnen</translation>
     </message>
     <message>
         <source>About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut</source>
@@ -13215,6 +13223,10 @@ bei</translation>
     <message>
         <source>Leave it out of plan, verification and programs, as if it were not there</source>
         <translation>Aus Plan, Prüfung und Programmen lassen, als gäbe es sie nicht</translation>
+    </message>
+    <message>
+        <source>Leaves about %1 % of what the tool sees of the part uncut</source>
+        <translation>Lässt etwa %1 % von dem ungefräst, was das Werkzeug vom Teil sieht</translation>
     </message>
     <message>
         <source>Leaves least of these</source>
@@ -15142,6 +15154,10 @@ Install a graphics driver, or use facetmill-cli.</source>
 Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     </message>
     <message numerus="yes">
+        <source>The best of %1 operations by previews of their passes. Planning all of them, to judge what they leave, would take long: add one, then plan and verify it.</source>
+        <translation><numerusform>Die beste von %1 Operation nach der Vorschau ihrer Bahnen. Alle zu planen, um zu beurteilen, was sie lassen, dauerte lange: eine hinzufügen, dann planen und prüfen.</numerusform><numerusform>Die besten von %1 Operationen nach der Vorschau ihrer Bahnen. Alle zu planen, um zu beurteilen, was sie lassen, dauerte lange: eine hinzufügen, dann planen und prüfen.</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
         <translation><numerusform>Die beste von %1 Operation, die für dieses Teil und die Werkzeuge des Projekts geplant wurde, nach Zeit und nach dem, was sie lässt</numerusform><numerusform>Die besten von %1 Operationen, die für dieses Teil und die Werkzeuge des Projekts geplant wurden, nach Zeit und nach dem, was sie lassen</numerusform></translation>
     </message>
@@ -16658,6 +16674,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>lengths as in the file</source>
         <translation>Längen wie in der Datei</translation>
+    </message>
+    <message>
+        <source>less than %1 s</source>
+        <translation>unter %1 s</translation>
     </message>
     <message>
         <source>light</source>

@@ -64,6 +64,10 @@
         <translation><numerusform>Scan room: %1 step…</numerusform><numerusform>Scan room: %1 steps…</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>The best of %1 operations by previews of their passes. Planning all of them, to judge what they leave, would take long: add one, then plan and verify it.</source>
+        <translation><numerusform>The best of %1 operation by a preview of its passes. Planning all of them, to judge what they leave, would take long: add one, then plan and verify it.</numerusform><numerusform>The best of %1 operations by previews of their passes. Planning all of them, to judge what they leave, would take long: add one, then plan and verify it.</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
         <translation><numerusform>The best of %1 operation that was planned for this part and the project's tools, by time and by what it leaves</numerusform><numerusform>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</numerusform></translation>
     </message>

@@ -11396,6 +11396,10 @@
         <translation>, levée %1</translation>
     </message>
     <message>
+        <source>. Stick-out: %1; the part needs %2</source>
+        <translation>. Sortie : %1 ; la pièce demande %2</translation>
+    </message>
+    <message>
         <source>0 … 6</source>
         <translation>0 … 6</translation>
     </message>
@@ -11547,6 +11551,10 @@
     <message>
         <source>A+</source>
         <translation>A+</translation>
+    </message>
+    <message>
+        <source>About %1, by a preview of its passes</source>
+        <translation>Environ %1, d’après un aperçu des passes</translation>
     </message>
     <message>
         <source>About %1; leaves at most %2 on 99 % of the surface, and %3 % of it uncut</source>
@@ -13213,6 +13221,10 @@
     <message>
         <source>Leave it out of plan, verification and programs, as if it were not there</source>
         <translation>L'écarter du plan, de la vérification et des programmes, comme si elle n'existait pas</translation>
+    </message>
+    <message>
+        <source>Leaves about %1 % of what the tool sees of the part uncut</source>
+        <translation>Laisse environ %1 % de ce que l’outil voit de la pièce non usinés</translation>
     </message>
     <message>
         <source>Leaves least of these</source>
@@ -15140,6 +15152,10 @@ Install a graphics driver, or use facetmill-cli.</source>
 Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message numerus="yes">
+        <source>The best of %1 operations by previews of their passes. Planning all of them, to judge what they leave, would take long: add one, then plan and verify it.</source>
+        <translation><numerusform>La meilleure de %1 opération d’après l’aperçu de ses passes. Les planifier toutes, pour juger ce qu’elles laissent, serait long : en ajouter une, puis la planifier et la vérifier.</numerusform><numerusform>Les meilleures de %1 opérations d’après l’aperçu de leurs passes. Les planifier toutes, pour juger ce qu’elles laissent, serait long : en ajouter une, puis la planifier et la vérifier.</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>The best of %1 operations that were planned for this part and the project's tools, by time and by what they leave</source>
         <translation><numerusform>La meilleure de %1 opération planifiée pour cette pièce et les outils du projet, selon le temps et ce qu’elle laisse</numerusform><numerusform>Les meilleures de %1 opérations planifiées pour cette pièce et les outils du projet, selon le temps et ce qu’elles laissent</numerusform></translation>
     </message>
@@ -16656,6 +16672,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>lengths as in the file</source>
         <translation>longueurs comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>less than %1 s</source>
+        <translation>moins de %1 s</translation>
     </message>
     <message>
         <source>light</source>

@@ -4,6 +4,8 @@
 
 #include "core/job/new_operation.h"
 #include "core/mesh/mesh_io.h"
+#include "core/study/evaluation.h"
+#include "core/study/previewed.h"
 #include "tests/support/cancel_at.h"
 #include "tests/support/error_code.h"
 #include "tests/support/part_meshes.h"
@@ -12,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <set>
 
 using namespace facetmill;
@@ -27,10 +30,10 @@ public:
     Project project;
     std::shared_ptr<const PreparedPart> part;
 
-    SuggestJob() {
+    explicit SuggestJob(double high = 1.2) {
         const std::filesystem::path file = std::filesystem::path(dir_.path().toStdString()) / "hills.stl";
         const Mesh mesh =
-            height_field([](double x, double y) { return 1.2 * std::sin(0.3 * x) * std::cos(0.3 * y); },
+            height_field([high](double x, double y) { return high * std::sin(0.3 * x) * std::cos(0.3 * y); },
                          Vec2(-8, -6), Vec2(8, 6), 16, 12);
         save_stl(mesh, file, LengthUnit::mm, Progress());
         project = default_project(file, LengthUnit::mm, mesh.box());
@@ -93,6 +96,49 @@ private slots:
         for (const Suggestion& s : found.best)
             if (s.result.passed == found.best.front().result.passed)
                 QVERIFY(found.best.front().seconds <= s.seconds || !s.result.passed);
+    }
+
+    /// Previews order the same candidates, and take a fraction of a second however much planning takes.
+    void what_would_take_long_to_plan_is_previewed() {
+        SuggestJob job;
+        const Suggestions planned = suggest(job.project, *job.part, Progress());
+        QVERIFY(std::ranges::none_of(planned.best, &Suggestion::previewed));
+        job.project.operations.front()->common().tolerance = 1e-4;
+        const Suggestions found = suggest(job.project, *job.part, Progress());
+        QCOMPARE(found.best.size(), std::size_t(3));
+        QCOMPARE(found.looked_at, planned.looked_at);
+        for (const Suggestion& s : found.best) {
+            QVERIFY(s.previewed && s.result.passed && s.seconds > 0);
+            QVERIFY(!s.result.measures[Measure::excess_p99].has_value());
+            QVERIFY(s.seconds >= found.best.front().seconds);
+            // Levels leave what is nearly level.
+            QVERIFY(s.operation->kind() != "waterline");
+        }
+    }
+
+    void previews_tell_times_and_what_stays() {
+        const SuggestJob job(4);
+        PassPreviewer previewer;
+        double left_by_levels = 0;
+        for (const auto& operation : suggestable(job.project)) {
+            if (!operation->keeps_axis()) continue;
+            Project with = job.project;
+            with.operations.clear();
+            with.operations.push_back(operation->clone());
+            const PreviewedOperation p = previewed_operation(previewer, with, 0, *job.part, Progress());
+            const RungResult r = evaluate(with, with, Rung::estimate, Progress());
+            const double seconds = r.measures[Measure::machining_time].value_or(0);
+            const std::string told = std::string(operation->kind()) + ": " + std::to_string(p.seconds)
+                                     + " s of " + std::to_string(seconds) + ", "
+                                     + std::to_string(p.uncut_share);
+            QVERIFY2(p.seconds > seconds / 2.5 && p.seconds < 2.5 * seconds, told.c_str());
+            QVERIFY(p.planning_seconds > 0);
+            if (operation->kind() == "waterline")
+                left_by_levels = p.uncut_share;
+            else if (operation->kind() != "scallop")
+                QVERIFY2(p.uncut_share < 0.05, told.c_str());
+        }
+        QVERIFY(left_by_levels > 0.05);
     }
 
     void how_steep_the_part_is_is_measured() {
