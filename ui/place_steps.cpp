@@ -1,5 +1,6 @@
 #include "ui/place_steps.h"
 
+#include "core/job/usual_shank.h"
 #include "core/setup/lying.h"
 #include "ui/messages.h"
 #include "ui/text.h"
@@ -119,10 +120,14 @@ bool PlaceSteps::change(const QString& what, const Placement& placement, double 
         return false;
     }
     viewport_.scene().marks().set_marker(std::nullopt);
+    const Mat3 turn = rotation_of(placement.rotate)
+                      * rotation_of(placement_of(document_.project().placed_part()).rotate).transpose();
+    const double before = mesh()->box().size().z(), after = factor * turned_box(*mesh(), turn).size().z();
     try {
         document_.change(what, [&](Project& p) {
             lay_part(p, placement);
             p.part.scale *= factor;
+            follow_part_height(p, before, after);
             // Numbers that no file can hold are refused.
             ParameterView<PartSpec> part(p.part, part_parameters());
             ParameterView<SetupPlace> place(p.place, place_parameters());

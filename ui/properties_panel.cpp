@@ -348,6 +348,17 @@ QString work_hint(const Project& project, const std::shared_ptr<const PreparedPa
 
 } // namespace
 
+/// How far a tool is out of its holder, and how far it has to be to come down to the foot of the part.
+QString stick_out_text(const Tool& tool, const Project& project,
+                       const std::shared_ptr<const PreparedPart>& part) {
+    if (!part) return {};
+    const double top = project.stock.kind == StockSpec::Kind::box ? stock_box(project.stock, part->box).hi.z()
+                                                                  : part->box.hi.z();
+    return PropertiesPanel::tr(". Stick-out: %1; the part needs %2")
+        .arg(shown_length(tool.flute_length + tool.shank_length, project.unit, 4),
+             shown_length(top - part->box.lo.z(), project.unit, 4));
+}
+
 std::vector<FormChoice> tool_choices(const Project& project, bool none) {
     std::vector<FormChoice> tools;
     if (none) tools.push_back({PropertiesPanel::tr("none"), 0L});
@@ -556,7 +567,7 @@ void PropertiesPanel::refresh() {
     } else if (node_->kind == Kind::tool && node_->index < project.tools.size()) {
         const Tool& t = project.tools[node_->index];
         title = tr("T%1  %2").arg(t.number).arg(text(t.name));
-        hint = worded(t.shape_name());
+        hint = worded(t.shape_name()) + stick_out_text(t, project, document_.part());
         sketch_->set_tool(t, unit);
         tool = true;
     } else if (node_->kind == Kind::operation && node_->index < project.operations.size()) {

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/usual_value.h"
 #include "core/job/project_inputs.h"
+#include "core/job/usual_shank.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
 #include "core/strategy/plan/shared_parameters.h"
@@ -540,11 +541,7 @@ Project default_project(const fs::path& part_file, LengthUnit part_unit, const B
     tool.diameter = tool.shank_diameter = diameter * per;
     tool.corner_radius = tool.diameter / 2;
     tool.flute_length = 3 * tool.diameter;
-    // Past the part; out of the holder by what one can read off a rule.
-    const double step = (unit == LengthUnit::inch ? 0.05 : 1) * per;
-    tool.shank_length =
-        allowed(std::max(4 * tool.diameter, std::ceil(part_box.size().z() / step - 1e-9) * step),
-                tool_parameters().find("shank_length")->info);
+    tool.shank_length = usual_shank_length(tool, part_box.size().z(), unit);
     tool.name = "Ball " + format_number(diameter);
     p.tools.push_back(tool);
 

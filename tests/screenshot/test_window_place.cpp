@@ -180,6 +180,37 @@ private slots:
         QVERIFY(!w().document().undo_stack().canUndo());
     }
 
+    /// The shank that a new project's tool has is as long as the part is high: as it lies, not as it was
+    /// opened.
+    void shanks_follow_the_height_of_the_part() {
+        const auto shank = [&] { return w().document().project().tools.front().shank_length; };
+        QCOMPARE(shank(), 40.0);
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        list()->setCurrentItem(list()->topLevelItem(0));
+        press("place_lay");
+        QVERIFY(lies(Vec3(60, 40, 20), false));
+        QCOMPARE(shank(), 21.0); // the file's numbers are rounded, and a hair more than 20 is more
+        // One step, which undo takes back whole.
+        action(w(), "undo")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(shank(), 40.0);
+        // The form says how far it is out, and how far it has to be; what a user wrote stays.
+        w().document().change(QStringLiteral("Shank"), [](Project& p) { p.tools.front().shank_length = 33; });
+        w().tree().select({ui::TreeNode::Kind::tool, 0});
+        QVERIFY(wait_until_settled(w()));
+        const Project& project = w().document().project();
+        const double out = 33 + project.tools.front().flute_length, needed = 40 + project.stock.margin[2];
+        const QString said = label("properties_hint");
+        QVERIFY2(said.simplified().contains(
+                     QStringLiteral("Stick-out: %1 mm; the part needs %2 mm").arg(out).arg(needed)),
+                 qPrintable(said));
+        list()->setCurrentItem(list()->topLevelItem(0));
+        press("place_lay");
+        QVERIFY(lies(Vec3(60, 40, 20), false));
+        QCOMPARE(shank(), 33.0);
+    }
+
     /// The mark of a picked point is one of the part as it lies: it goes when the part turns, however that is
     /// done, and does not come back with it.
     void the_mark_of_a_picked_point_goes_with_a_turn() {
