@@ -122,6 +122,7 @@ QString count_text(std::size_t n) {
 }
 
 QString duration_text(double seconds) {
+    if (seconds > 0 && seconds < 0.05) return QObject::tr("less than %1 s").arg(number_text(0.1, 1));
     return in_user_numbers(worded(facetmill::duration_text(seconds)));
 }
 
