@@ -22,8 +22,8 @@ struct Suggestion {
     std::shared_ptr<const Operation> operation; ///< as new_operation makes it, with a name of its kind
     std::string tool;                           ///< "T2 Ball 6 mm"
     double seconds = 0;                         ///< of the operation alone
-    /// Of the project with it in place of its finishing operations. Of a previewed one `uncut_share` and
-    /// whether it leaves no more than others do.
+    /// What comes of the project with it in place of its finishing operations. Of a previewed one
+    /// `uncut_share` and whether it leaves no more than others do.
     RungResult result;
     bool previewed = false; ///< neither planned nor judged
 };
