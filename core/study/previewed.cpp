@@ -12,7 +12,8 @@ namespace facetmill {
 
 namespace {
 
-/// Planning and judging passes as long as the cutter's radius: a guess from finishing one scan, a head of 98 mm.
+/// Planning and judging passes as long as the cutter's radius: a guess from finishing one scan, a head of 98
+/// mm.
 constexpr double seconds_a_radius = 0.01;
 /// Ends of passes that are no farther apart than so many step-overs are linked at feed.
 constexpr double linked_steps = 3;
