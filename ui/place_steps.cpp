@@ -25,14 +25,19 @@ const PreparedPart* PlaceSteps::part() const {
 void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then) {
     const auto part = document_.part();
     if (!this->part() || busy()) return;
-    auto after = std::make_shared<std::optional<Placement>>();
+    struct Laid {
+        Placement placement;
+        double height;
+    };
+    auto after = std::make_shared<std::optional<Laid>>();
     const std::size_t setup = chosen_setup(document_.project());
     job_.start(
         what,
         [after, part, turn = std::move(turn),
          before = placement_of(document_.project().placed_part())](const Progress& progress) {
             if (const auto by = turn(*part->mesh, progress))
-                *after = laid(before, *part->mesh, *by, progress);
+                *after = Laid{laid(before, *part->mesh, *by, progress),
+                              turned_box(*part->mesh, *by, progress).size().z()};
         },
         // Weak: the last one to hold a large part must not be the window.
         [this, what, after, setup, then = std::move(then),
@@ -42,7 +47,7 @@ void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then)
                 || chosen_setup(document_.project()) != setup)
                 return;
             if (!end.done()) return messages_.warning(sentence(end.message));
-            if (*after && change(what, **after) && then) then();
+            if (*after && change(what, (*after)->placement, (*after)->height) && then) then();
         });
 }
 
@@ -53,13 +58,15 @@ void PlaceSteps::lay(const QString& what, const Mat3& turn) {
 void PlaceSteps::mirror(int axis) {
     if (const PreparedPart* p = part())
         change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
-               mirrored(placement_of(document_.project().placed_part()), axis, p->box.center()[axis]));
+               mirrored(placement_of(document_.project().placed_part()), axis, p->box.center()[axis]),
+               p->box.size().z());
 }
 
 void PlaceSteps::drop_to_zero() {
     if (const PreparedPart* p = part())
         change(tr("Drop part to Z 0"),
-               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -p->box.lo.z())));
+               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -p->box.lo.z())),
+               p->box.size().z());
 }
 
 void PlaceSteps::centre() {
@@ -67,7 +74,8 @@ void PlaceSteps::centre() {
     if (!p) return;
     const Vec3 middle = p->box.center();
     change(tr("Centre part"),
-           moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)));
+           moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)),
+           p->box.size().z());
 }
 
 void PlaceSteps::lay_by_principal_axes() {
@@ -87,10 +95,12 @@ bool PlaceSteps::apply(PlaceChange what, int axis, double value) {
     const Placement now = placement_of(document_.project().placed_part());
     const QChar letter(u'X' + char16_t(axis));
     if (what == PlaceChange::move)
-        return change(tr("Move part along %1").arg(letter), moved(now, value * Vec3::Unit(axis)));
+        return change(tr("Move part along %1").arg(letter), moved(now, value * Vec3::Unit(axis)),
+                      p->box.size().z());
     const Box3& box = p->box;
-    return change(tr("Turn part about %1").arg(letter),
-                  turned(now, motion(box, what, axis, value).first, box.center()));
+    const Mat3 turn = motion(box, what, axis, value).first;
+    return change(tr("Turn part about %1").arg(letter), turned(now, turn, box.center()),
+                  turned_box(*p->mesh, turn).size().z());
 }
 
 bool PlaceSteps::scale(double factor) {
@@ -100,7 +110,9 @@ bool PlaceSteps::scale(double factor) {
     const Vec3 t(now.translate[0], now.translate[1], now.translate[2]);
     const Vec3 kept(box.center().x(), box.center().y(), box.lo.z());
     const Vec3 by = kept - (factor * (kept - t) + t);
-    if (!change(tr("Scale part by %1").arg(number_text(factor, 6)), moved(now, by), factor)) return false;
+    if (!change(tr("Scale part by %1").arg(number_text(factor, 6)), moved(now, by), factor * box.size().z(),
+                factor))
+        return false;
     const Vec3 size = factor * box.size();
     const double three[3] = {size.x(), size.y(), size.z()};
     messages_.warning(
@@ -114,20 +126,18 @@ void PlaceSteps::tell(const Error& e) {
     messages_.warning(failure_text(e) + QChar('.'));
 }
 
-bool PlaceSteps::change(const QString& what, const Placement& placement, double factor) {
+bool PlaceSteps::change(const QString& what, const Placement& placement, double height, double factor) {
     if (factor == 1 && placement == placement_of(document_.project().placed_part())) {
         messages_.information(tr("The part lies so already."));
         return false;
     }
     viewport_.scene().marks().set_marker(std::nullopt);
-    const Mat3 turn = rotation_of(placement.rotate)
-                      * rotation_of(placement_of(document_.project().placed_part()).rotate).transpose();
-    const double before = mesh()->box().size().z(), after = factor * turned_box(*mesh(), turn).size().z();
+    const double before = part()->box.size().z();
     try {
         document_.change(what, [&](Project& p) {
             lay_part(p, placement);
             p.part.scale *= factor;
-            follow_part_height(p, before, after);
+            follow_part_height(p, before, height);
             // Numbers that no file can hold are refused.
             ParameterView<PartSpec> part(p.part, part_parameters());
             ParameterView<SetupPlace> place(p.place, place_parameters());

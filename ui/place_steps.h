@@ -45,7 +45,8 @@ signals:
 
 private:
     bool scale(double factor);
-    bool change(const QString& what, const Placement& placement, double factor = 1);
+    /// `height` (mm): of the part as it then stands; `factor`: it is so many times as large.
+    bool change(const QString& what, const Placement& placement, double height, double factor = 1);
     void tell(const Error& error);
 
     Document& document_;
