@@ -595,7 +595,7 @@ private slots:
         Sandbox s;
         QCOMPARE(run_cli({"sample", "concave", "--tolerance", "0.001", "-o", "part.stl"}, s.path()).status,
                  0);
-        s.write("job.facetmill", changed("\"tolerance\": 0.1", "\"tolerance\": 0.0002")
+        s.write("job.facetmill", changed("\"tolerance\": 0.1", "\"tolerance\": 0.00002")
                                      .replace("6, \"corner_radius\": 3", "0.5, \"corner_radius\": 0.25"));
         const QStringList before = s.files();
         std::mt19937 rng(11);
