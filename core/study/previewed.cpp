@@ -56,7 +56,8 @@ public:
     void cut(const std::vector<Vec3>& line) {
         const double cell = ground_.grid().cell;
         for (std::size_t i = 0; i < line.size(); ++i) {
-            const Vec3 from = line[i > 0 ? i - 1 : 0], step = line[i] - from;
+            const Vec3& from = line[i > 0 ? i - 1 : 0];
+            const Vec3 step = line[i] - from;
             const int steps = std::max(1, int(std::ceil(step.head<2>().norm() / cell)));
             for (int k = 1; k <= steps; ++k)
                 cut(Vec3(from + double(k) / steps * step));
