@@ -41,7 +41,7 @@ struct Scene::Impl {
     OverlayContent overlay_content();
 
     LayoutRect fitted_beside; ///< the legend at the last fit
-    bool made_room = false;   ///< which would have lain over it: another one gives the room back
+    bool made_room = false;   ///< that came over what was fitted: a smaller one gives the room back
     SceneStage stage;
     SceneAxes axes{stage};
     SceneRehearsal rehearsal{stage.renderer};
@@ -510,17 +510,11 @@ void Scene::set_view(StandardView view) {
 void Scene::fit(bool with_tool) {
     Impl& s = *impl_;
     const Box3 box = bounds(with_tool);
-    const OverlayLayout layout = s.overlay.layout(s.overlay_content());
-    s.fitted_beside = layout.legend;
-    s.made_room = false;
-    if (box.empty()) return s.stage.camera.fit_empty();
-    if (!layout.legend.empty()) {
-        OverlayLayout without = layout;
-        without.legend = {};
-        s.stage.camera.fit(box, without, s.stage.ratio);
-        s.made_room = s.stage.camera.shadow_meets(box, layout.legend, s.stage.ratio);
-    }
-    s.stage.camera.fit(box, layout, s.stage.ratio);
+    if (box.empty())
+        s.stage.camera.fit_empty();
+    else
+        s.stage.camera.fit(box, s.overlay.layout(s.overlay_content()), s.stage.ratio);
+    s.fitted_beside = s.overlay.layout(s.overlay_content()).legend;
 }
 
 bool Scene::legend_lies_over() const {
@@ -534,7 +528,10 @@ bool Scene::legend_came_over() const {
     const LayoutRect legend = s.overlay.layout(s.overlay_content()).legend, &before = s.fitted_beside;
     const bool same =
         legend.x0 == before.x0 && legend.y0 == before.y0 && legend.x1 == before.x1 && legend.y1 == before.y1;
-    return !same && (s.made_room || legend_lies_over());
+    const bool over = !same && legend_lies_over();
+    if (same || !(over || s.made_room)) return false;
+    s.made_room = over;
+    return true;
 }
 
 } // namespace facetmill

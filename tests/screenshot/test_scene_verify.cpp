@@ -406,37 +406,6 @@ private slots:
         QVERIFY(compare_pictures(top_view(scene), all).worst >= min_similarity);
     }
 
-    /// Where a legend came over what was fitted the view makes room, and takes it back when the legend goes,
-    /// also by way of a smaller one.
-    void room_made_for_a_legend_is_taken_back() {
-        Scene scene;
-        scene.part().set(box_part({0, 0, 0}, {100, 80, 10}));
-        scene.deviation().set(
-            prepare_deviation_display(level_surface(20, [](double, double) { return 0.3; }), scale, {}));
-        scene.findings().set({{FindingMark::Kind::gouge, {20, 20, 10}}});
-        const auto show = [&](bool deviation, bool findings) {
-            scene.set_visible(Layer::deviation, deviation);
-            scene.set_visible(Layer::findings, findings);
-        };
-        show(false, false);
-        top_view(scene, 340, 260);
-        const CameraPlace before = scene.camera().place();
-        QVERIFY(!scene.legend_came_over());
-        show(true, true);
-        QVERIFY(scene.legend_came_over());
-        scene.fit();
-        QVERIFY(!scene.legend_came_over() && !scene.legend_lies_over());
-        QVERIFY(scene.camera().place().height > 1.02 * before.height);
-        show(true, false);
-        QVERIFY(scene.legend_came_over()); // which may need less room
-        scene.fit();
-        show(false, false);
-        if (scene.legend_came_over()) scene.fit();
-        const CameraPlace after = scene.camera().place();
-        QVERIFY(std::abs(after.height - before.height) < 1e-9 * before.height);
-        QVERIFY((after.target - before.target).norm() < 1e-9 * before.height);
-    }
-
     void small_windows_keep_the_scale_or_nothing() {
         const auto surface = level_surface(10, [](double x, double) { return x / 100; });
         for (const auto& [w, h] : {std::pair(260, 180), {160, 120}, {700, 160}, {200, 600}}) {
