@@ -41,7 +41,9 @@ struct Scene::Impl {
     OverlayContent overlay_content();
 
     LayoutRect fitted_beside; ///< the legend at the last fit
-    bool made_room = false;   ///< that came over what was fitted: a smaller one gives the room back
+    LayoutRect asked_beside;  ///< at the last one that was not made to make room
+    bool makes_room = false;  ///< the next fit does
+    bool made_room = false; ///< the last one did: a legend no larger than `asked_beside` gives the room back
     SceneStage stage;
     SceneAxes axes{stage};
     SceneRehearsal rehearsal{stage.renderer};
@@ -515,6 +517,8 @@ void Scene::fit(bool with_tool) {
     else
         s.stage.camera.fit(box, s.overlay.layout(s.overlay_content()), s.stage.ratio);
     s.fitted_beside = s.overlay.layout(s.overlay_content()).legend;
+    s.made_room = std::exchange(s.makes_room, false);
+    if (!s.made_room) s.asked_beside = s.fitted_beside;
 }
 
 bool Scene::legend_lies_over() const {
@@ -528,10 +532,13 @@ bool Scene::legend_came_over() const {
     const LayoutRect legend = s.overlay.layout(s.overlay_content()).legend, &before = s.fitted_beside;
     const bool same =
         legend.x0 == before.x0 && legend.y0 == before.y0 && legend.x1 == before.x1 && legend.y1 == before.y1;
-    const bool over = !same && legend_lies_over();
-    if (same || !(over || s.made_room)) return false;
-    s.made_room = over;
-    return true;
+    if (same) return false;
+    const LayoutRect& asked = s.asked_beside;
+    const bool no_larger =
+        legend.empty()
+        || (legend.x0 >= asked.x0 && legend.y0 >= asked.y0 && legend.x1 <= asked.x1 && legend.y1 <= asked.y1);
+    s.makes_room = legend_lies_over();
+    return s.makes_room || (s.made_room && no_larger);
 }
 
 } // namespace facetmill
