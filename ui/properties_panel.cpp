@@ -346,8 +346,6 @@ QString work_hint(const Project& project, const std::shared_ptr<const PreparedPa
     return {};
 }
 
-} // namespace
-
 /// How far a tool is out of its holder, and how far it has to be to come down to the foot of the part.
 QString stick_out_text(const Tool& tool, const Project& project,
                        const std::shared_ptr<const PreparedPart>& part) {
@@ -358,6 +356,8 @@ QString stick_out_text(const Tool& tool, const Project& project,
         .arg(shown_length(tool.flute_length + tool.shank_length, project.unit, 4),
              shown_length(top - part->box.lo.z(), project.unit, 4));
 }
+
+} // namespace
 
 std::vector<FormChoice> tool_choices(const Project& project, bool none) {
     std::vector<FormChoice> tools;
