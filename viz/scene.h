@@ -144,7 +144,8 @@ public:
     void fit(bool with_tool = false);
     /// The legend lies over `bounds`.
     bool legend_lies_over() const;
-    /// It is another one than at the last `fit`, and does or did so then: time for another `fit`.
+    /// It is another one than at the last `fit`, and lies over `bounds`, or is no larger than before a `fit`
+    /// made room for one that did: time for another `fit`.
     bool legend_came_over() const;
 
 private:
