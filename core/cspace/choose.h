@@ -29,6 +29,9 @@ struct PassPoint {
     double cm2_lead = 0;                              ///< the CM2 lead, held to the lead limits
     /// Chosen by hand, and free: what every method takes at this point.
     std::optional<PostureValue> kept;
+    /// Where no node of the grid is free: free postures between nodes (between_nodes.h), if any were found.
+    /// The global choice alone takes them.
+    std::vector<PostureValue> between;
 };
 
 /// Where it is not free the point is left to clean-up.

@@ -36,7 +36,7 @@ constexpr double smooth_slack = 3e-3;
 using Stop = PostureStop;
 
 /// The stops of one point. On the whole grid they are in the order of its nodes: those of node n stand from
-/// first[n] to first[n + 1]; elsewhere, and where a posture is kept, `first` is empty.
+/// first[n] to first[n + 1]; elsewhere, between nodes and where a posture is kept, `first` is empty.
 struct Stops {
     std::vector<Stop> all;
     std::vector<std::uint32_t> first;
@@ -91,6 +91,12 @@ private:
                            stops.all);
             }
         stops.first.push_back(std::uint32_t(stops.all.size()));
+        if (stops.all.empty() && !point.between.empty()) {
+            CSpaceBuilder::Hints hints;
+            for (const PostureValue& p : point.between)
+                stops_.add_free(point, p.lead, p.yaw, hints, stops.all);
+            stops.first.clear();
+        }
         return stops;
     }
 

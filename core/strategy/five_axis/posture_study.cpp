@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+#include "core/cspace/between_nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -32,11 +33,24 @@ bool has_free_node(const CSpace& space) {
     return std::find(space.block.begin(), space.block.end(), PostureBlock::free) != space.block.end();
 }
 
-/// Where a strip is wider than was estimated, what lies under the pass itself need not stay.
-void narrow_strip(const FiveAxisField& field, ContactPlace& place, std::vector<RaisedCurve>& curves,
-                  CSpace& space, char& narrowed, const Progress& progress) {
+/// A strip, and what is known of the postures that clear it.
+struct StudiedStrip {
+    std::vector<RaisedCurve>& curves;
+    CSpace& space;
+    std::vector<PostureValue>& between;
+    char& narrowed;
+};
+
+/// Where no posture on the grid clears a strip, postures between its nodes are looked for; where the strip is
+/// wider than was estimated, what lies under the pass itself need not stay.
+void find_room(const FiveAxisField& field, ContactPlace& place, const StudiedStrip& strip,
+               const Progress& progress) {
     // A posture kept by hand that is free here is taken; one that is not changes nothing.
-    if (has_free_node(space) || place.v_lo == place.v_hi || kept_posture(field, place, curves)) return;
+    if (has_free_node(strip.space) || kept_posture(field, place, strip.curves)) return;
+    const bool looks_between = field.settings().posture == Finish5Settings::PostureChoice::global;
+    if (looks_between && !strip.curves.empty())
+        strip.between = free_between_nodes(field.builder(), strip.space, strip.curves);
+    if (!strip.between.empty() || place.v_lo == place.v_hi) return;
     for (const double share : strip_shares) {
         ContactPlace narrow = place;
         narrow.v_lo = place.v + share * (place.v_lo - place.v);
@@ -44,11 +58,16 @@ void narrow_strip(const FiveAxisField& field, ContactPlace& place, std::vector<R
         std::vector<RaisedCurve> fewer = field.strip_curves(narrow);
         if (fewer.empty()) continue; // nothing to clear would be cleared by a tool far above the part
         CSpace other = field.builder().build(narrow.frame, fewer, progress);
-        if (!has_free_node(other)) continue;
+        if (!has_free_node(other)) {
+            // Of half a strip the grid has to know: its own line asks for less.
+            if (!looks_between || share > 0) continue;
+            strip.between = free_between_nodes(field.builder(), other, fewer);
+            if (strip.between.empty()) continue;
+        }
         place = narrow;
-        curves = std::move(fewer);
-        space = std::move(other);
-        narrowed = 1;
+        strip.curves = std::move(fewer);
+        strip.space = std::move(other);
+        strip.narrowed = 1;
         return;
     }
 }
@@ -67,9 +86,10 @@ PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace
         frames.push_back(p.frame);
     study.spaces = field.builder().build(frames, study.curves, progress.part(0, 0), &study.stages);
     study.narrowed.assign(places.size(), 0);
+    std::vector<std::vector<PostureValue>> between(places.size());
     parallel_for(places.size(), 1, progress.part(0, 0), [&](std::size_t i) {
-        narrow_strip(field, places[i], study.curves[i], study.spaces[i], study.narrowed[i],
-                     progress.part(0, 0));
+        find_room(field, places[i], {study.curves[i], study.spaces[i], between[i], study.narrowed[i]},
+                  progress.part(0, 0));
     });
     for (std::size_t i = 0; i < places.size(); ++i) {
         PassPoint point;
@@ -78,7 +98,8 @@ PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace
         point.curves = &study.curves[i];
         point.cm2_lead = field.cm2_lead(places[i]);
         point.kept = kept_posture(field, places[i], study.curves[i]);
-        study.points.push_back(point);
+        point.between = std::move(between[i]);
+        study.points.push_back(std::move(point));
     }
     return study;
 }
