@@ -20,10 +20,10 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/outward.h"
 #include "core/output/turning_table.h"
+#include "core/strategy/five_axis/low_passes.h"
 #include "core/strategy/five_axis/manual_posture.h"
 #include "core/strategy/global_local/rework_plan.h"
 #include "core/strategy/lathe/lathe.h"
-#include "core/strategy/plan/stock_bottom.h"
 #include "core/strategy/surface/region_edit.h"
 
 #include <chrono>
@@ -145,7 +145,7 @@ std::shared_ptr<const OperationResult> rework_program(const OperationResult& mai
     result->path = plan.path;
     context.tool = plan.tool;
     context.further_tools.clear();
-    keep_above_bottom(result->path, context, operation.common());
+    keep_passes_up(result->path, context, operation);
     for (const Pass& pass : result->path.passes) {
         result->cc_points += pass.cc.size();
         result->cl_points += pass.cl.size();
@@ -541,7 +541,7 @@ void Planner::Cache::plan_path(const Project& project, const Operation& operatio
     try {
         result.path = plan_bounded(operation, context, view, bound, progress.part(0, 1, common.name));
         // The table stands below a turned part as a fixture.
-        if (!operation.turning() && view.is_upright()) keep_above_bottom(result.path, context, common);
+        if (!operation.turning() && view.is_upright()) keep_passes_up(result.path, context, operation);
         if (!view.is_upright()) {
             made.in_view = std::make_shared<const StrategyResult>(std::move(result.path));
             result.path = turned_path(*made.in_view, view.turn.transpose());

@@ -8132,6 +8132,10 @@
         <translation>die Grenze {1} liegt über der des angenommenen Wegs, {2}</translation>
     </message>
     <message>
+        <source>the leaning cutter is kept from going below the bottom of the stock, by up to {1} at {2} of the points: some material stays there unless 'Below the bottom' allows it</source>
+        <translation>der geneigte Fräser wird davor bewahrt, unter den Boden des Rohteils zu gehen, um bis zu {1} bei {2} der Punkte: dort bleibt etwas Material stehen, wenn 'Unter dem Boden' es nicht erlaubt</translation>
+    </message>
+    <message>
         <source>the length of a tool is called by an edge or by a number, not by both</source>
         <translation>die Länge eines Werkzeugs wird durch eine Schneide oder durch eine Nummer aufgerufen, nicht durch beide</translation>
     </message>

@@ -8132,6 +8132,10 @@
         <translation>la limite d'attaque {1} dépasse celle du parcours supposé, {2}</translation>
     </message>
     <message>
+        <source>the leaning cutter is kept from going below the bottom of the stock, by up to {1} at {2} of the points: some material stays there unless 'Below the bottom' allows it</source>
+        <translation>la fraise inclinée est retenue d'aller sous le fond du brut, de {1} au plus sur {2} des points : il y reste un peu de matière, sauf si 'Sous le fond' le permet</translation>
+    </message>
+    <message>
         <source>the length of a tool is called by an edge or by a number, not by both</source>
         <translation>la longueur d'un outil est appelée par une arête ou par un numéro, pas par les deux</translation>
     </message>
