@@ -2,9 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/mesh/box_tree.h"
-#include "core/mesh/facet_boxes.h"
-#include "core/mesh/triangle_distance.h"
+#include "core/gouge/part_distance.h"
 #include "core/strategy/surface/facet_rows.h"
 #include "core/strategy/surface/lift_line.h"
 #include "core/strategy/surface/stock_field.h"
@@ -219,40 +217,18 @@ public:
     UncutReport run(const Progress& progress) {
         const std::size_t facets = in_.mesh->facet_count(),
                           size = std::max(block_facets, facets / max_blocks);
-        std::vector<Block> blocks((facets + size - 1) / size);
-        for (std::size_t b = 0; b < blocks.size(); ++b)
-            blocks[b].next = b * size;
-        const auto look = [&](std::size_t b, const Progress& here) {
-            Block& block = blocks[b];
-            const std::size_t end = std::min(facets, (b + 1) * size);
-            while (block.next < end && facet(block.next, block.report, here))
-                ++block.next;
-        };
-        const Progress first = progress.part(0, 0.8), second = progress.part(0.8, 1);
-        parallel_for(blocks.size(), 1, first, [&](std::size_t b) { look(b, first); });
-        // Those that asked how far the part is stopped there: all threads find its tree, where one would
-        // while the others wait for it.
-        std::vector<std::size_t> open;
-        for (std::size_t b = 0; b < blocks.size(); ++b)
-            if (blocks[b].next < std::min(facets, (b + 1) * size)) open.push_back(b);
-        if (!open.empty()) {
-            facets_.emplace(facet_boxes(in_.contact->mesh()), second.part(0, 0.2));
-            parallel_for(open.size(), 1, second.part(0.2, 1),
-                         [&](std::size_t i) { look(open[i], second.part(0, 0)); });
-        }
+        std::vector<UncutReport> blocks((facets + size - 1) / size);
+        parallel_for(blocks.size(), 1, progress, [&](std::size_t b) {
+            for (std::size_t f = b * size; f < std::min(facets, (b + 1) * size); ++f)
+                facet(f, blocks[b], progress);
+        });
         UncutReport all;
-        for (const Block& block : blocks)
-            add(all, block.report);
+        for (const UncutReport& block : blocks)
+            add(all, block);
         return all;
     }
 
 private:
-    /// What some facets leave, and the first of those that were not looked at yet.
-    struct Block {
-        UncutReport report;
-        std::size_t next = 0;
-    };
-
     static void add(UncutReport& a, const UncutReport& b) {
         a.area += b.area;
         a.samples += b.samples;
@@ -270,14 +246,9 @@ private:
         }
     }
 
-    /// False where that asks for the part's tree and it is not there: then nothing was added.
-    bool facet(std::size_t f, UncutReport& report, const Progress& progress) {
+    void facet(std::size_t f, UncutReport& report, const Progress& progress) {
         const Vec3 n = up_.normal(f);
-        if (n == Vec3::Zero()) return true;
-        std::vector<Vec3> tips = std::move(report.passed_tips);
-        const std::size_t tips_before = tips.size();
-        const UncutReport before = report;
-        report.passed_tips = std::move(tips);
+        if (n == Vec3::Zero()) return;
         const FacetRows rows(*in_.mesh, f, spacing_);
         report.area += rows.area();
         const Vec3 tip_offset = in_.cover->tip_offset(n);
@@ -285,25 +256,19 @@ private:
             for (std::size_t column = 0; column < rows.columns(row); ++column) {
                 if (column % row_part == 0) progress.check();
                 ++report.samples;
-                if (sample(rows.point(row, column), n, tip_offset, rows.weight(row), report)) continue;
-                tips = std::move(report.passed_tips);
-                tips.resize(tips_before);
-                report = before;
-                report.passed_tips = std::move(tips);
-                return false;
+                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report);
             }
-        return true;
     }
 
-    bool sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
+    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
                 UncutReport& report) {
         // The cutter is convex: where it comes nearer to p along n than is allowed, it holds the place that
         // far above p.
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
-        if (passes_hold(p + in_.allowed * n, tip)) return true;
+        if (passes_hold(p + in_.allowed * n, tip)) return;
         if (tip.z() < in_.lowest_tip) {
             report.below += area;
-            return true;
+            return;
         }
         UncutPlaces* places = &report.out_of_reach;
         const Vec3 highest = p + in_.allowed * n;
@@ -311,7 +276,7 @@ private:
             && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
             places = &report.held;
         } else if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
-            if (!up_.closed() && !in_.outside_up) return true;
+            if (!up_.closed() && !in_.outside_up) return;
             places = &report.covered;
         } else {
             if (const auto reached = tip_that_reaches(p, n, tip)) {
@@ -321,13 +286,11 @@ private:
         }
         places->area += area;
         // How high exactly is asked only of the highest.
-        if (places->height > 0 && passes_hold(p + places->height * n, tip)) return true;
-        const std::optional<double> left = height(p, n, tip, std::max(places->height, in_.allowed));
-        if (!left) return false;
-        if (*left <= places->height) return true;
-        places->height = *left;
+        if (places->height > 0 && passes_hold(p + places->height * n, tip)) return;
+        const double left = height(p, n, tip, std::max(places->height, in_.allowed));
+        if (left <= places->height) return;
+        places->height = left;
         places->at = on_part;
-        return true;
     }
 
     /// A tip that comes down to p; none where the part around holds it up, wherever it stands.
@@ -355,12 +318,9 @@ private:
 
     /// How much stands over p, where that is more than `from`: along the normal, or upright where no pass
     /// crosses that soon; and no farther than its end is from all of the part, as the verifier says it.
-    /// None where the part's tree is asked for and is not there.
-    std::optional<double> height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
-        const auto from_part = [&](double far, const Vec3& direction) -> std::optional<double> {
-            if (!(far > 2 * in_.allowed)) return far;
-            if (!facets_) return std::nullopt;
-            return std::min(far, distance(p + far * direction));
+    double height(const Vec3& p, const Vec3& n, const Vec3& tip, double from) const {
+        const auto from_part = [&](double far, const Vec3& direction) {
+            return far > 2 * in_.allowed ? std::min(far, distance(p + far * direction, far)) : far;
         };
         double low = from;
         for (double high = 1.25 * from; low < limit_; low = high, high *= 1.25) {
@@ -375,22 +335,16 @@ private:
         return from_part(over < infinity ? over - p.z() : in_.top - p.z(), Vec3::UnitZ());
     }
 
-    /// From the part, but for what is to stay on it.
-    double distance(const Vec3& p) const {
-        double near2 = infinity;
-        const Mesh& mesh = in_.contact->mesh();
-        facets_->nearest(p, near2, [&](std::size_t f) {
-            near2 =
-                std::min(near2, squared_distance(p, mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2)));
-        });
-        return std::max(std::sqrt(near2) - in_.allowance, 0.0);
+    /// From the part, but for what is to stay on it; `most` or more where that is farther.
+    double distance(const Vec3& p, double most) const {
+        const double allowance = in_.allowance;
+        return std::max(part_distance(*in_.contact, p, most + allowance) - allowance, 0.0);
     }
 
     const UncutInput& in_;
     UpwardFacets up_;
     Swept own_, own_left_out_;
     const SweptPasses &swept_, &left_out_;
-    std::optional<BoxTree> facets_; ///< made when it is first asked for
     AxialLift needle_;
     double limit_, spacing_ = 1;
 };
