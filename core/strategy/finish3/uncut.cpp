@@ -217,18 +217,24 @@ public:
     UncutReport run(const Progress& progress) {
         const std::size_t facets = in_.mesh->facet_count(),
                           size = std::max(block_facets, facets / max_blocks);
-        std::vector<UncutReport> blocks((facets + size - 1) / size);
+        std::vector<Block> blocks((facets + size - 1) / size);
         parallel_for(blocks.size(), 1, progress, [&](std::size_t b) {
             for (std::size_t f = b * size; f < std::min(facets, (b + 1) * size); ++f)
                 facet(f, blocks[b], progress);
         });
         UncutReport all;
-        for (const UncutReport& block : blocks)
-            add(all, block);
+        for (const Block& block : blocks)
+            add(all, block.report);
         return all;
     }
 
 private:
+    /// What some facets leave, and where their last lifts came from.
+    struct Block {
+        UncutReport report;
+        LiftHint lift, needle;
+    };
+
     static void add(UncutReport& a, const UncutReport& b) {
         a.area += b.area;
         a.samples += b.samples;
@@ -246,7 +252,8 @@ private:
         }
     }
 
-    void facet(std::size_t f, UncutReport& report, const Progress& progress) {
+    void facet(std::size_t f, Block& block, const Progress& progress) {
+        UncutReport& report = block.report;
         const Vec3 n = up_.normal(f);
         if (n == Vec3::Zero()) return;
         const FacetRows rows(*in_.mesh, f, spacing_);
@@ -256,12 +263,12 @@ private:
             for (std::size_t column = 0; column < rows.columns(row); ++column) {
                 if (column % row_part == 0) progress.check();
                 ++report.samples;
-                sample(rows.point(row, column), n, tip_offset, rows.weight(row), report);
+                sample(rows.point(row, column), n, tip_offset, rows.weight(row), block);
             }
     }
 
-    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area,
-                UncutReport& report) {
+    void sample(const Vec3& on_part, const Vec3& n, const Vec3& tip_offset, double area, Block& block) {
+        UncutReport& report = block.report;
         // The cutter is convex: where it comes nearer to p along n than is allowed, it holds the place that
         // far above p.
         const Vec3 p = on_part + in_.allowance * n, tip = p + tip_offset;
@@ -275,11 +282,11 @@ private:
         if ((in_.swept_left_out || !in_.left_out.empty())
             && left_out_.lowest(highest, tip, highest.z()) <= highest.z()) {
             places = &report.held;
-        } else if (needle_.tip_z(p.x(), p.y()) > p.z() + in_.allowed) {
+        } else if (needle_.is_above(p.x(), p.y(), p.z() + in_.allowed, block.needle)) {
             if (!up_.closed() && !in_.outside_up) return;
             places = &report.covered;
         } else {
-            if (const auto reached = tip_that_reaches(p, n, tip)) {
+            if (const auto reached = tip_that_reaches(p, n, tip, block.lift)) {
                 places = &report.passed_by;
                 if (in_.tell_passed) report.passed_tips.push_back(*reached);
             }
@@ -294,12 +301,13 @@ private:
     }
 
     /// A tip that comes down to p; none where the part around holds it up, wherever it stands.
-    std::optional<Vec3> tip_that_reaches(const Vec3& p, const Vec3& n, const Vec3& tip) const {
+    std::optional<Vec3> tip_that_reaches(const Vec3& p, const Vec3& n, const Vec3& tip,
+                                         LiftHint& hint) const {
         const Vec3 q = p + reach_share * in_.allowed * n;
         const auto reaches = [&](const Vec2& at) {
             const double rho = (q.head<2>() - at).norm();
             return rho <= in_.cover->radius()
-                   && in_.lift->tip_z(at.x(), at.y()) + in_.cover->profile().height_at(rho) <= q.z();
+                   && !in_.lift->is_above(at.x(), at.y(), q.z() - in_.cover->profile().height_at(rho), hint);
         };
         if (reaches(tip.head<2>())) return tip;
         // A flat bottom on a level plane may stand any way over the place.
