@@ -519,24 +519,27 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
         fill_block(impl_->blocks[b], *mesh_, duties, items, b * block_width,
                    std::min(items.size(), (b + 1) * block_width));
     });
-    // Boxes, roofs and slabs bottom up: children of a node come after it.
-    std::vector<Cover> block_covers(whole_blocks), covers(impl_->nodes.size());
-    parallel_for(whole_blocks, 2000, covering, [&](std::size_t b) {
-        const std::size_t begin = b * block_width, end = std::min(items.size(), begin + block_width);
-        block_covers[b] = cover_of(std::span(items).subspan(begin, end - begin), origin, *mesh_, slopes);
-    });
-    for (std::size_t n = impl_->nodes.size(); n-- > 0;) {
-        if (n % 4096 == 0) progress.check();
+    // Boxes, roofs and slabs bottom up, a level at a time.
+    std::vector<Cover> covers(impl_->nodes.size());
+    const auto cover_below = [&](Index child) {
+        if ((child & TreeNode::leaf) == 0) return covers[child];
+        const std::size_t begin = std::size_t(child & ~TreeNode::leaf) * block_width;
+        return cover_of(std::span(items).subspan(begin, std::min(items.size() - begin, block_width)), origin,
+                        *mesh_, slopes);
+    };
+    const auto cover_node = [&](std::size_t n) {
         TreeNode& node = impl_->nodes[n];
         std::array<Cover, block_width> parts;
         std::size_t count = 0;
         for (; count < block_width && node.child[count] != no_index; ++count) {
-            const Index child = node.child[count];
-            parts[count] = child & TreeNode::leaf ? block_covers[child & ~TreeNode::leaf] : covers[child];
-            set_child(node, count, parts[count], child);
+            parts[count] = cover_below(node.child[count]);
+            set_child(node, count, parts[count], node.child[count]);
         }
         covers[n] = cover_of(parts, count);
-    }
+    };
+    for (std::size_t level = levels.size(); level-- > 0;)
+        parallel_for(levels[level].ranges.size(), 250, covering.part(0, 0),
+                     [&](std::size_t i) { cover_node(levels[level].first_node + i); });
     impl_->nodes.shrink_to_fit();
 }
 
