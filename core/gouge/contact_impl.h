@@ -1,9 +1,9 @@
 // The data behind a ContactIndex, for the files of this room.
 #pragma once
 
+#include "core/base/large_pages.h"
 #include "core/gouge/contact_blocks.h"
 #include "core/gouge/contact_index.h"
-#include "core/gouge/large_pages.h"
 
 #include <array>
 #include <vector>
@@ -11,8 +11,8 @@
 namespace facetmill {
 
 struct ContactIndex::Impl {
-    std::vector<FacetBlock, LargePages<FacetBlock>> blocks;
-    std::vector<TreeNode, LargePages<TreeNode>> nodes; ///< root first; empty for a mesh without facets
+    LargeVector<FacetBlock> blocks;
+    LargeVector<TreeNode> nodes; ///< root first; empty for a mesh without facets
     std::array<double, 3> origin{}, half_size{};
     bool has_strips = false, mostly_needles = false;
 

@@ -33,7 +33,7 @@ constexpr double worth_pieces = 16, max_pieces = 8, max_more_pieces = 1e6;
 
 /// Splits [begin, end) at `middle` across the widest extent of the middles. Equal keys are ordered by facet,
 /// so that the two halves do not depend on the algorithm.
-void split(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end) {
+void split(LargeVector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end) {
     float lo[3], hi[3];
     for (int k = 0; k < 3; ++k)
         lo[k] = hi[k] = items[begin].at[k];
@@ -57,7 +57,7 @@ std::size_t blocks_of(const Range& range) {
 }
 
 /// Divides a range into `count` parts of about as many blocks, at whole blocks; adds them to `parts`.
-void divide(std::vector<Item>& items, const Range& range, std::size_t count,
+void divide(LargeVector<Item>& items, const Range& range, std::size_t count,
             std::array<Range, block_width>& parts, std::size_t& size) {
     if (count == 1) {
         parts[size++] = range;
@@ -72,7 +72,7 @@ void divide(std::vector<Item>& items, const Range& range, std::size_t count,
 
 /// Parts of a node's range for its children: as few as the tree below can hold when its nodes are full. So
 /// nodes that are not full are near the root, where there are few.
-std::size_t split_for_children(std::vector<Item>& items, const Range& range,
+std::size_t split_for_children(LargeVector<Item>& items, const Range& range,
                                std::array<Range, block_width>& parts) {
     const std::size_t blocks = blocks_of(range);
     std::size_t capacity = 1; // of a child, in blocks
@@ -84,7 +84,7 @@ std::size_t split_for_children(std::vector<Item>& items, const Range& range,
 }
 
 void fill_block(FacetBlock& block, const Mesh& mesh, const std::vector<std::uint8_t>& duties,
-                const std::vector<Item>& items, std::size_t begin, std::size_t end) {
+                const LargeVector<Item>& items, std::size_t begin, std::size_t end) {
     block = {};
     for (std::size_t lane = 0; lane < block_width; ++lane) {
         block.facet[lane] = no_index;
@@ -415,7 +415,7 @@ double pieces_wanted(const Mesh& mesh, std::size_t f, double extent) {
     return std::clamp(std::floor(std::min(by_waste, max_pieces * length / extent)), 1.0, max_pieces);
 }
 
-std::vector<Item> listed_facets(const Mesh& mesh, const Progress& progress) {
+LargeVector<Item> listed_facets(const Mesh& mesh, const Progress& progress) {
     const std::size_t n = mesh.facet_count();
     std::vector<std::uint16_t> pieces(n, 1);
     parallel_for(n, 20000, progress.part(0, 0.3), [&](std::size_t f) { check_corners(mesh, f); });
@@ -429,10 +429,10 @@ std::vector<Item> listed_facets(const Mesh& mesh, const Progress& progress) {
     const double share = std::min(1.0, max_more_pieces / std::max(more, 1.0));
     if (share < 1)
         each([&](std::size_t f) { pieces[f] = std::uint16_t(1 + std::floor(share * (pieces[f] - 1))); });
-    std::vector<std::size_t> first(n + 1, 0);
+    LargeVector<std::size_t> first(n + 1, 0);
     for (std::size_t f = 0; f < n; ++f)
         first[f + 1] = first[f] + pieces[f];
-    std::vector<Item> items(first[n]);
+    LargeVector<Item> items(first[n]);
     parallel_for(n, 20000, progress.part(0.6, 1), [&](std::size_t f) {
         for (std::uint16_t k = 0; k < pieces[f]; ++k) {
             Item& item = items[first[f] + k];
@@ -462,7 +462,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
     std::vector<std::uint8_t> is_open;
     const std::vector<std::uint8_t> duties = facet_duties(*mesh_, progress.part(0, 0.4), &is_open);
     const std::vector<SlopeRange> slopes = vertex_slopes(*mesh_, is_open, progress.part(0.4, 0.45));
-    std::vector<Item> items = listed_facets(*mesh_, progress.part(0.45, 0.5));
+    LargeVector<Item> items = listed_facets(*mesh_, progress.part(0.45, 0.5));
     impl_->has_strips = items.size() > mesh_->facet_count();
     impl_->mostly_needles = items.size() > 2 * mesh_->facet_count();
     Box3 box;
@@ -520,7 +520,7 @@ ContactIndex::ContactIndex(MeshPtr mesh, const Progress& progress) : mesh_(std::
                    std::min(items.size(), (b + 1) * block_width));
     });
     // Boxes, roofs and slabs bottom up, a level at a time.
-    std::vector<Cover> covers(impl_->nodes.size());
+    LargeVector<Cover> covers(impl_->nodes.size());
     const auto cover_below = [&](Index child) {
         if ((child & TreeNode::leaf) == 0) return covers[child];
         const std::size_t begin = std::size_t(child & ~TreeNode::leaf) * block_width;

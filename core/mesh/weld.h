@@ -2,6 +2,7 @@
 // uses.
 #pragma once
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
 
@@ -47,7 +48,7 @@ WeldedCorners weld_corners(std::size_t corner_count, const At& at, const Progres
         Index corner;
         std::uint32_t hash;
     };
-    std::vector<Index> number(
+    LargeVector<Index> number(
         corner_count); // first the first corner at the same position, then the vertex number
     {
         std::vector<std::size_t> place(blocks * parts, 0);
@@ -66,7 +67,7 @@ WeldedCorners weld_corners(std::size_t corner_count, const At& at, const Progres
         }
         part_begin[parts] = sum;
 
-        std::vector<Entry> entries(corner_count);
+        LargeVector<Entry> entries(corner_count);
         parallel_blocks(corner_count, block, progress.part(0.2, 0.45),
                         [&](std::size_t begin, std::size_t end) {
                             std::size_t* next = &place[begin / block * parts];
@@ -108,7 +109,7 @@ WeldedCorners weld_corners(std::size_t corner_count, const At& at, const Progres
     WeldedCorners welded;
     welded.points.resize(first_number[blocks]);
     welded.facets.resize(corner_count / 3);
-    std::vector<Index> vertex_of(corner_count);
+    LargeVector<Index> vertex_of(corner_count);
     parallel_blocks(corner_count, block, progress.part(0.85, 0.93), [&](std::size_t begin, std::size_t end) {
         std::size_t next = first_number[begin / block];
         for (std::size_t c = begin; c < end; ++c)

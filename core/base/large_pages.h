@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -45,5 +46,10 @@ struct LargePages {
 private:
     static constexpr std::size_t page = std::size_t(2) << 20, smallest = 4 * page;
 };
+
+/// For arrays of millions, also such as are needed for a moment only: the system is asked for hundreds of
+/// pages then, and not for hundreds of thousands.
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
 
 } // namespace facetmill
