@@ -98,7 +98,7 @@ struct Votes {
 };
 
 /// Adds so many rays of each side; none after the first that is free where only that is asked.
-void cast(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays, bool any,
+void cast(const Mesh& mesh, const Patch& patch, const OpenSight& sight, std::size_t rays, bool any,
           Numbers& numbers, Votes& votes) {
     for (std::size_t i = 0; i < rays && !(any && votes.front + votes.back > 0); ++i) {
         // By area: a point of the patch, and a direction off it with the cosine's weight.
@@ -119,7 +119,7 @@ void cast(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::siz
     }
 }
 
-OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const MeshSight& sight, std::size_t rays,
+OutwardSides::Side side_of(const Mesh& mesh, const Patch& patch, const OpenSight& sight, std::size_t rays,
                            double whole_area) {
     Numbers numbers(patch.facets.front());
     Votes votes;
@@ -148,8 +148,8 @@ OutwardSides outward_sides(const Mesh& mesh, const Progress& progress, OpenSide 
     const std::vector<Patch> patches = patches_of(mesh, progress.part(0, 0.3));
     result.patches = patches.size();
     if (patches.empty() || (patches.size() == 1 && patches[0].closed && patches[0].volume > 0)) return result;
-    const MeshSight sight(mesh, progress.part(0.3, 0.5));
     const std::size_t rays = std::clamp(rays_altogether / patches.size(), min_rays, max_rays);
+    const OpenSight sight(mesh, 2 * rays * patches.size(), progress.part(0.3, 0.5));
     std::vector<OutwardSides::Side> sides(patches.size());
     double area = 0;
     for (const Patch& patch : patches)

@@ -392,7 +392,8 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
             boxes[i].add(part.vertices[v]);
     const BoxTree tree(std::move(boxes), progress);
     const auto seen_along = [&](std::size_t i, const Vec3& axis) {
-        return axis.dot(s.normals[i]) > tolerance::vertical_normal_z && sight.is_free(s.places[i], axis);
+        return axis.dot(s.normals[i]) > tolerance::vertical_normal_z
+               && sight.first_hit(s.places[i], axis) == infinity;
     };
     parallel_for(s.points.size(), samples_per_block, progress, [&](std::size_t i) {
         double steepest = -1;

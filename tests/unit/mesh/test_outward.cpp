@@ -1,7 +1,9 @@
 // Which side of a mesh is outside, on meshes whose answer is known and whose windings are not.
 #include "core/mesh/outward.h"
 #include "core/mesh/sample.h"
+#include "core/mesh/sight.h"
 #include "tests/support/part_meshes.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
@@ -37,6 +39,28 @@ Mesh wound_outward(const Mesh& mesh) {
 class TestOutward : public QObject {
     Q_OBJECT
 private slots:
+    /// Whether few rays are announced, for which facets stay as the file has them, or many.
+    void rays_are_free_where_nothing_is_hit() {
+        Random rng(1);
+        const auto hills = field(
+            30, 10, [](double x, double y) { return std::sin(x) * std::cos(y); }, 0.3);
+        const auto scattered = soup(500, 10, 2);
+        for (const Mesh& mesh : {*hills, *scattered, Mesh{}}) {
+            const MeshSight sight(mesh, Progress());
+            const OpenSight few(mesh, 1, Progress()), many(mesh, 100'000'000, Progress());
+            std::size_t free = 0;
+            for (int trial = 0; trial < 300; ++trial) {
+                const Vec3 p(uniform(rng, 0, 10), uniform(rng, 0, 10), uniform(rng, -1, 3)),
+                    d = Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)).normalized();
+                const bool is_free = sight.first_hit(p, d) == infinity;
+                QCOMPARE(few.is_free(p, d), is_free);
+                QCOMPARE(many.is_free(p, d), is_free);
+                free += is_free;
+            }
+            QVERIFY(mesh.facets.empty() ? free == 300 : free > 20 && free < 280);
+        }
+    }
+
     void what_is_right_stays() {
         for (const Mesh& mesh : {dome(10, 12), box(Vec3(0, 0, 0), Vec3(4, 5, 6)), mixed()}) {
             const OutwardSides sides = outward_sides(mesh, Progress());
