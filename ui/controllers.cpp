@@ -75,6 +75,9 @@ void Controllers::build(const Parts& p, QWidget* window) {
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
     kept_ = new KeptPlans(p.document, p.planner, p.planners, p.job, *verification_, window);
     auto* same_place = new SamePlace(*paths_, *verification_, *cspace_, window);
+    connect(&p.job, &BackgroundJob::ended, place_, [place = place_](const JobEnd& end) {
+        if (!end.done()) place->forget_waiting();
+    });
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
     auto* boundaries =
         new BoundaryController(p.document, p.viewport, *p.properties.boundary_box(), p.messages, window);

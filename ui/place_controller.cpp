@@ -38,10 +38,11 @@ PlaceController::PlaceController(Document& document, Viewport& viewport, Message
     connect(panel_, &PlacePanel::lay_wanted, this, &PlaceController::lay_chosen);
     connect(panel_, &PlacePanel::pick_wanted, this, &PlaceController::pick);
     connect(panel_, &PlacePanel::turn_wanted, this, [this](int axis, int quarters) {
-        steps_->lay(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))), quarter_turn(axis, quarters));
+        steps_->turn(tr("Turn part about %1").arg(QChar(u'X' + char16_t(axis))),
+                     [turn = quarter_turn(axis, quarters)](const Mesh&, const Progress&) { return turn; });
     });
     connect(panel_, &PlacePanel::square_wanted, this,
-            [this] { steps_->lay(tr("Square up part"), turn_to_square); });
+            [this] { steps_->turn(tr("Square up part"), turn_to_square); });
     connect(panel_, &PlacePanel::principal_wanted, steps_, &PlaceSteps::lay_by_principal_axes);
     connect(panel_, &PlacePanel::mirror_wanted, steps_, &PlaceSteps::mirror);
     connect(panel_, &PlacePanel::drop_wanted, steps_, &PlaceSteps::drop_to_zero);

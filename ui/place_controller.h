@@ -27,6 +27,8 @@ public:
 
     PlacePanel* panel() { return panel_; }
     PlaceGizmo* gizmo() { return gizmo_; }
+    /// Changes of the part that wait for the one before are not made: the user cancelled that one.
+    void forget_waiting() { steps_->forget_waiting(); }
     /// Ends what is picked.
     void leave() { pick(PlacePick::none); }
     const std::vector<LyingFace>& faces() const { return faces_; }

@@ -16,6 +16,27 @@ namespace facetmill::ui {
 PlaceSteps::PlaceSteps(Document& document, Viewport& viewport, Messages& messages, QObject* parent)
     : QObject(parent), document_(document), viewport_(viewport), messages_(messages) {
     connect(&job_, &BackgroundJob::ended, this, &PlaceSteps::settled);
+    // Queued: all others hear first of a part that was read anew.
+    connect(&job_, &BackgroundJob::ended, this, &PlaceSteps::go_on, Qt::QueuedConnection);
+    connect(&document_, &Document::part_changed, this, &PlaceSteps::go_on, Qt::QueuedConnection);
+    connect(&document_, &Document::opened, this, &PlaceSteps::forget_waiting);
+}
+
+void PlaceSteps::when_it_stands(std::function<void()> step) {
+    if (stands() && waiting_.empty()) return step();
+    if (!document_.part()) return;
+    waiting_.push_back([this, step = std::move(step), setup = chosen_setup(document_.project())] {
+        if (chosen_setup(document_.project()) == setup) step();
+    });
+}
+
+void PlaceSteps::go_on() {
+    if (!stands() || waiting_.empty()) return;
+    const std::function<void()> next = std::move(waiting_.front());
+    waiting_.pop_front();
+    next();
+    // One that changed nothing has no end to go on from.
+    if (!waiting_.empty()) QMetaObject::invokeMethod(this, &PlaceSteps::go_on, Qt::QueuedConnection);
 }
 
 const PreparedPart* PlaceSteps::part() const {
@@ -24,7 +45,9 @@ const PreparedPart* PlaceSteps::part() const {
 
 void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then) {
     const auto part = document_.part();
-    if (!this->part() || busy()) return;
+    if (!part) return;
+    if (!stands())
+        return messages_.information(tr("The part is still being turned. Do that again when it stands."));
     struct Laid {
         Placement placement;
         double height;
@@ -55,31 +78,40 @@ void PlaceSteps::lay(const QString& what, const Mat3& turn) {
     lay(what, [turn](const Mesh&, const Progress&) { return turn; });
 }
 
+void PlaceSteps::turn(const QString& what, Turn by) {
+    when_it_stands([this, what, by = std::move(by)] { lay(what, by); });
+}
+
 void PlaceSteps::mirror(int axis) {
-    if (const PreparedPart* p = part())
+    when_it_stands([this, axis] {
+        const Box3& box = part()->box;
         change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
-               mirrored(placement_of(document_.project().placed_part()), axis, p->box.center()[axis]),
-               p->box.size().z());
+               mirrored(placement_of(document_.project().placed_part()), axis, box.center()[axis]),
+               box.size().z());
+    });
 }
 
 void PlaceSteps::drop_to_zero() {
-    if (const PreparedPart* p = part())
+    when_it_stands([this] {
+        const Box3& box = part()->box;
         change(tr("Drop part to Z 0"),
-               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -p->box.lo.z())),
-               p->box.size().z());
+               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -box.lo.z())),
+               box.size().z());
+    });
 }
 
 void PlaceSteps::centre() {
-    const PreparedPart* p = part();
-    if (!p) return;
-    const Vec3 middle = p->box.center();
-    change(tr("Centre part"),
-           moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)),
-           p->box.size().z());
+    when_it_stands([this] {
+        const Box3& box = part()->box;
+        const Vec3 middle = box.center();
+        change(tr("Centre part"),
+               moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)),
+               box.size().z());
+    });
 }
 
 void PlaceSteps::lay_by_principal_axes() {
-    lay(tr("Lay part by its principal axes"), turn_to_principal);
+    turn(tr("Lay part by its principal axes"), turn_to_principal);
 }
 
 std::pair<Mat3, Vec3> PlaceSteps::motion(const Box3& box, PlaceChange what, int axis, double value) {
@@ -89,8 +121,12 @@ std::pair<Mat3, Vec3> PlaceSteps::motion(const Box3& box, PlaceChange what, int 
 }
 
 bool PlaceSteps::apply(PlaceChange what, int axis, double value) {
+    if (!document_.part()) return false;
+    if (!stands()) {
+        when_it_stands([this, what, axis, value] { apply(what, axis, value); });
+        return true;
+    }
     const PreparedPart* p = part();
-    if (!p) return false;
     if (what == PlaceChange::scale) return scale(value);
     const Placement now = placement_of(document_.project().placed_part());
     const QChar letter(u'X' + char16_t(axis));

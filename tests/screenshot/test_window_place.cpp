@@ -89,11 +89,47 @@ private slots:
             lay->click();
             QCOMPARE(w().document().undo_stack().count(), steps);
             QVERIFY(w().busy());
-            lay->click(); // in vain: it is being worked out
+            lay->click(); // done after it, and nothing is left to be turned
             QVERIFY(wait_until_settled(w()));
             QCOMPARE(w().document().undo_stack().count(), steps + 1);
             QVERIFY(w().document().part_is_current());
         }
+    }
+
+    /// What is asked while a turn is worked out or the part read anew is done after it, but not what was
+    /// picked of the part as it lay.
+    void turns_follow_one_another() {
+        auto& undo = w().document().undo_stack();
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        const int steps = undo.count();
+        const auto click = [&](const char* name) {
+            w().findChild<QAbstractButton*>(QLatin1String(name))->click();
+        };
+        click("place_turn_x");
+        click("place_turn_z");
+        click("place_mirror_x");
+        QCOMPARE(undo.count(), steps);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(undo.count(), steps + 3);
+        QCOMPARE(undo.text(steps), QStringLiteral("Turn part about X"));
+        QCOMPARE(undo.text(steps + 1), QStringLiteral("Turn part about Z"));
+        QCOMPARE(undo.text(steps + 2), QStringLiteral("Mirror part in X"));
+        list()->setCurrentItem(list()->topLevelItem(0));
+        QVERIFY(wait_until_settled(w()));
+        click("place_turn_z");
+        click("place_lay");
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("still being turned")),
+                 qPrintable(w().message_bar().message()));
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(undo.count(), steps + 4);
+        // Cancelled with the one before.
+        click("place_turn_x");
+        click("place_turn_y");
+        QVERIFY(QTest::qWaitFor([&] { return undo.count() == steps + 5; }));
+        w().cancel();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(undo.count(), steps + 5);
     }
 
     /// Whatever has become of the part meanwhile: what was worked out is of the part as it lay.
