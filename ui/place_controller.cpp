@@ -26,6 +26,20 @@ namespace {
 constexpr double zero_axis_share = 0.15;
 /// How round a hole is, is told no finer (mm).
 constexpr double told_uneven = 1e-4;
+/// A block that is smaller by this share is worth a word.
+constexpr double worth_squaring = 0.1;
+
+/// The share of the block about a part, once turned, that squaring it up saves.
+double smaller_by_squaring(Mesh part, const Mat3& turn, const Progress& progress) {
+    const auto area = [&](const Mat3& by) {
+        const Vec3 size = turned_box(part, by, progress).size();
+        return size.x() * size.y();
+    };
+    for (Vec3& v : part.vertices)
+        v = turn * v;
+    const double as_laid = area(Mat3::Identity());
+    return as_laid > 0 ? 1 - area(turn_to_square(part, progress)) / as_laid : 0;
+}
 
 } // namespace
 
@@ -251,7 +265,22 @@ void PlaceController::show_chosen() {
 
 void PlaceController::lay_chosen() {
     const auto i = panel_->chosen();
-    if (i && *i < faces_.size()) steps_->lay(tr("Lay part on face"), turn_to_lie(faces_[*i].down));
+    if (!i || *i >= faces_.size()) return;
+    auto smaller = std::make_shared<double>(0);
+    steps_->lay(
+        tr("Lay part on face"),
+        [smaller, turn = turn_to_lie(faces_[*i].down)](const Mesh& part, const Progress& progress) {
+            *smaller = smaller_by_squaring(part, turn, progress);
+            return turn;
+        },
+        [this, smaller] {
+            if (*smaller < worth_squaring) return;
+            messages_.information(tr("The part lies across its stock: squared up, the block about it is %1 % "
+                                     "smaller.")
+                                      .arg(number_text(100 * *smaller, 2)));
+            messages_.offer(
+                {tr("Square up"), [this] { steps_->turn(tr("Square up part"), turn_to_square); }});
+        });
 }
 
 void PlaceController::pick(PlacePick what) {

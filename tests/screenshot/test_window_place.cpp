@@ -190,6 +190,9 @@ private slots:
         press("place_lay");
         QVERIFY(!w().viewport().scene().support().shown());
         QVERIFY(lies(Vec3(60, 40, 20), false));
+        // A part that lies across its stock is told of.
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("across its stock")),
+                 qPrintable(w().message_bar().message()));
         QCOMPARE(w().document().undo_stack().count(), 1);
         QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on face"));
         press("place_square");
