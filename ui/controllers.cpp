@@ -1,5 +1,6 @@
 #include "ui/controllers.h"
 
+#include "core/setup/tool.h"
 #include "ui/boundary_controller.h"
 #include "ui/cspace_controller.h"
 #include "ui/divide_bar.h"
@@ -122,11 +123,21 @@ void Controllers::connect_document(const Document& document) {
 }
 
 void Controllers::connect_messages(const Document& document, Messages& messages) {
-    connect(&document, &Document::tool_added, this, [&messages](const Tool& tool) {
-        messages.information(tr("The list had no tool small enough for this operation: T%1 %2 was added to "
-                                "it. Change it to one that you have.")
-                                 .arg(tool.number)
-                                 .arg(text(tool.name)));
+    connect(&document, &Document::tool_added, this, [this, &messages](const Tool& tool) {
+        added_tool_ = tool.number;
+        tool_said_ = tr("The list had no tool small enough for this operation: T%1 %2 was added to it. "
+                        "Change it to one that you have.")
+                         .arg(tool.number)
+                         .arg(text(tool.name));
+        messages.information(tool_said_);
+    });
+    const auto take_back = [this, &messages] {
+        if (!tool_said_.isEmpty() && messages.bar().message() == tool_said_) messages.dismiss();
+        tool_said_.clear();
+    };
+    connect(&document, &Document::opened, this, take_back);
+    connect(&document, &Document::changed, this, [this, &document, take_back] { // undone
+        if (!find_tool(document.project().tools, added_tool_)) take_back();
     });
     for (Controller* controller : all_) {
         connect(controller, &Controller::said, this,

@@ -121,6 +121,8 @@ private:
     StudyController* study_ = nullptr;
     QString remark_;               ///< of the part that was opened last
     QString verdict_said_;         ///< in the bar
+    QString tool_said_;            ///< in the bar, of a tool that came with an operation
+    long added_tool_ = 0;          ///< its number
     std::vector<Controller*> all_; ///< in the order in which they are told
     PreviewController* preview_ = nullptr;
     SuggestController* suggest_ = nullptr;

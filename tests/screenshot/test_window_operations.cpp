@@ -121,6 +121,40 @@ private slots:
     }
 
     void says_which_and_how_long() {
+    /// It is not told of a tool that undo took away again.
+    void a_tool_that_came_along_goes_with_its_message() {
+        w().document().change(QStringLiteral("One tool"), [](Project& p) {
+            p.tools.resize(1);
+            for (auto& o : p.operations)
+                o->common().tool = p.tools.front().number;
+        });
+        w().document().add_operation("cleanup");
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY2(w().message_bar().message().contains(QStringLiteral("was added to it")),
+                 qPrintable(w().message_bar().message()));
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(w().message_bar().message(), QString());
+    }
+
+    /// One form does for operations of a kind, and no entry stays in it for another one.
+    void a_form_is_built_once_for_a_kind() {
+        w().document().change(QStringLiteral("Alike"), [](Project& p) {
+            p.operations[0]->common().tolerance = p.operations[1]->common().tolerance;
+        });
+        QCOMPARE(w().document().operation(0).kind(), w().document().operation(1).kind());
+        choose(0);
+        QPointer<QLineEdit> tolerance = field(w(), "tolerance");
+        const QString was = tolerance->text();
+        enter(w(), "tolerance", QStringLiteral("wide"));
+        QVERIFY(!error_under(w(), "tolerance").isEmpty());
+        choose(1);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(field(w(), "tolerance"), tolerance.data());
+        QCOMPARE(tolerance->text(), was);
+        QCOMPARE(error_under(w(), "tolerance"), QString());
+    }
+
         auto* activity = w().findChild<QLabel*>(QStringLiteral("activity"));
         bool second = false;
         connect(&w().job(), &ui::BackgroundJob::progressed, this, [&](double, const QString& label) {
