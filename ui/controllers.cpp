@@ -32,6 +32,7 @@
 #include "ui/tool_controller.h"
 #include "ui/unrolled_controller.h"
 #include "ui/verification_controller.h"
+#include "ui/verification_panel.h"
 #include "ui/viewport.h"
 
 #include <QMenu>
@@ -74,11 +75,11 @@ void Controllers::build(const Parts& p, QWidget* window) {
                                verification_->model(), window);
     inputs_ = new InputsController(p.document, p.planner, p.job, p.messages, *part_, window);
     place_ = new PlaceController(p.document, p.viewport, p.messages, window);
-    kept_ = new KeptPlans(p.document, p.planner, p.planners, p.job, *verification_, window);
-    auto* same_place = new SamePlace(*paths_, *verification_, *cspace_, window);
     connect(&p.job, &BackgroundJob::ended, place_, [place = place_](const JobEnd& end) {
         if (!end.done()) place->forget_waiting();
     });
+    kept_ = new KeptPlans(p.document, p.planner, p.planners, p.job, *verification_, window);
+    auto* same_place = new SamePlace(*paths_, *verification_, *cspace_, window);
     auto* fixtures = new FixtureController(p.document, p.viewport, p.tree, window);
     auto* boundaries =
         new BoundaryController(p.document, p.viewport, *p.properties.boundary_box(), p.messages, window);
@@ -107,6 +108,10 @@ void Controllers::build(const Parts& p, QWidget* window) {
     connect(suggest_, &SuggestController::added, this, [&tree = p.tree](std::size_t operation) {
         tree.select({TreeNode::Kind::operation, operation});
     });
+    connect(verification_->panel(), &VerificationPanel::add_wanted, this,
+            [&document = p.document, &tree = p.tree](const std::string& kind) {
+                tree.select({TreeNode::Kind::operation, document.add_operation(kind)});
+            });
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
     // results are drawn last, when everybody knows of them.
@@ -154,8 +159,14 @@ void Controllers::connect_messages(const Document& document, Messages& messages)
     }
     // A verdict in the bar goes with its worth.
     connect(verification_, &Controller::said, this,
-            [this](MessageBar::Kind, const QString& message, bool in_bar) {
-                if (in_bar) verdict_said_ = message;
+            [this, &messages](MessageBar::Kind, const QString& message, bool in_bar) {
+                if (!in_bar) return;
+                verdict_said_ = message;
+                const VerdictAdvice advice = verification_->panel()->advice();
+                if (!advice.add.empty() && message.endsWith(advice.text))
+                    messages.offer({advised_button(advice), [this, kind = advice.add] {
+                                        emit verification_->panel()->add_wanted(kind);
+                                    }});
             });
     connect(&verification_->model(), &VerificationModel::changed, this, [this, &messages] {
         if (!verification_->model().current() && !verdict_said_.isEmpty()

@@ -1,6 +1,9 @@
 #include "ui/verdict_advice.h"
 
+#include "core/job/project.h"
+#include "core/job/project_setup.h"
 #include "core/verify/verify.h"
+#include "ui/operation_list.h"
 #include "ui/text.h"
 
 #include <algorithm>
@@ -17,45 +20,75 @@ const UncutReason* main_reason(const Verification& v) {
     return most;
 }
 
-QString advice_on(const Collision& c) {
+/// Which operations of a setup are there already, of those that could be advised.
+struct Present {
+    explicit Present(const Project& project) {
+        for (const Operation* o : operations_on(project)) {
+            rough = rough || o->purpose() == Purpose::roughing;
+            clean = clean || o->purpose() == Purpose::cleaning;
+        }
+    }
+    bool rough = false, clean = false;
+};
+
+VerdictAdvice advice_on(const Collision& c, const Present& there) {
     if (!c.fixture.empty())
-        return tr("What to do: move the fixture, or keep the operation out of its way by a boundary.");
+        return {tr("What to do: move the fixture, or keep the operation out of its way by a boundary."), {}};
     if (c.kind == Collision::Kind::cutter || c.kind == Collision::Kind::rapid)
-        return tr("What to do: raise the clearance of the operation that the list names.");
-    return c.with_part
-               ? tr("What to do: a longer shank or flutes, a slimmer holder, or the part laid another way.")
-               : tr("What to do: add Rough before it, so that less stock stands there, or take a tool "
-                    "with longer flutes.");
+        return {tr("What to do: raise the clearance of the operation that the list names."), {}};
+    if (c.with_part)
+        return {tr("What to do: a longer shank or flutes, a slimmer holder, or the part laid another way."),
+                {}};
+    if (there.rough)
+        return {tr("What to do: a tool with longer flutes, or a smaller allowance in Rough."), {}};
+    return {tr("What to do: add Rough before it, so that less stock stands there, or take a tool with longer "
+               "flutes."),
+            "rough"};
 }
 
-QString advice_on(const UncutReason& r) {
+VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
     using Why = UncutReason::Why;
     switch (r.why) {
     case Why::no_tool:
-        return tr(
-            "What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut limit "
-            "in Verification limits.");
+        if (there.clean)
+            return {tr("What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in "
+                       "Verification limits."),
+                    {}};
+        return {tr("What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut "
+                   "limit in Verification limits."),
+                "cleanup"};
     case Why::no_operation:
-        return tr("What to do: add Clean-up, or a finish with the tool that fits.");
+        if (there.clean)
+            return {tr("What to do: a finish with the tool that fits; or accept what stays, by Uncut limit "
+                       "in Verification limits."),
+                    {}};
+        return {tr("What to do: add Clean-up, or a finish with the tool that fits."), "cleanup"};
     case Why::not_cut:
     case Why::passes_apart:
-        return tr("What to do: add Clean-up, or finish with a smaller tolerance.");
+        if (there.clean) return {tr("What to do: finish with a smaller tolerance."), {}};
+        return {tr("What to do: add Clean-up, or finish with a smaller tolerance."), "cleanup"};
     case Why::stock:
-        return tr("What to do: add Rough before the finish, which takes the stock away that is in the way.");
+        if (there.rough)
+            return {tr("What to do: a tool with longer flutes, or a smaller allowance in Rough."), {}};
+        return {tr("What to do: add Rough before the finish, which takes the stock away that is in the way."),
+                "rough"};
     case Why::held:
-        return tr("What to do: a longer shank, a slimmer holder, or the part laid another way.");
+        return {tr("What to do: a longer shank, a slimmer holder, or the part laid another way."), {}};
     case Why::below_bottom:
-        return tr(
-            "What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.");
+        return {tr("What to do: a stock that reaches lower, or Below the bottom where nothing holds it "
+                   "there."),
+                {}};
     case Why::fixture:
-        return tr("What to do: move the fixture, or cut that place in a second setup.");
+        return {tr("What to do: move the fixture, or cut that place in a second setup."), {}};
     case Why::tab:
-        return tr("What to do: smaller tabs; or accept what stays, by Uncut limit in Verification limits.");
+        return {tr("What to do: smaller tabs; or accept what stays, by Uncut limit in Verification limits."),
+                {}};
     case Why::boundary:
-        return tr(
-            "What to do: widen the boundary; or accept what stays, by Uncut limit in Verification limits.");
+        return {tr("What to do: widen the boundary; or accept what stays, by Uncut limit in Verification "
+                   "limits."),
+                {}};
     case Why::outside_stock:
-        return tr("What to do: a larger stock.");
+        return {tr("What to do: a larger stock."), {}};
     case Why::not_seen:
         break;
     }
@@ -64,11 +97,16 @@ QString advice_on(const UncutReason& r) {
 
 } // namespace
 
-QString verdict_advice(const Verification& v) {
+VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
     if (v.verdict() != facetmill::Verdict::failed) return {};
-    if (!v.collisions.empty()) return advice_on(v.collisions.front());
+    const Present there(project);
+    if (!v.collisions.empty()) return advice_on(v.collisions.front(), there);
     const UncutReason* reason = v.left_uncut() ? main_reason(v) : nullptr;
-    return reason ? advice_on(*reason) : QString();
+    return reason ? advice_on(*reason, there) : VerdictAdvice();
+}
+
+QString advised_button(const VerdictAdvice& advice) {
+    return advice.add.empty() ? QString() : tr("Add %1").arg(text(first_name_of(advice.add)));
 }
 
 } // namespace facetmill::ui

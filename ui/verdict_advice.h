@@ -4,13 +4,23 @@
 
 #include <QString>
 
+#include <string>
+
 namespace facetmill {
+struct Project;
 struct Verification;
-}
+} // namespace facetmill
 
 namespace facetmill::ui {
 
-/// Empty where it passed, could not be judged, or nothing can be advised.
-QString verdict_advice(const Verification& verification);
+struct VerdictAdvice {
+    QString text;    ///< empty where it passed, could not be judged, or nothing can be advised
+    std::string add; ///< the kind of operation that is to be added; empty: the text is about something else
+};
+
+/// For the operations of the project's shown setup: one that is there already is not to be added.
+VerdictAdvice verdict_advice(const Verification& verification, const Project& project);
+/// "Add Rough": a button that does what is advised; empty where nothing is to be added.
+QString advised_button(const VerdictAdvice& advice);
 
 } // namespace facetmill::ui

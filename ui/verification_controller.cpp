@@ -124,7 +124,7 @@ void VerificationController::tell(const VerificationOutcome& outcome, bool one_o
     const QString from = one_of_several && !outcome.chain.empty()
                              ? tr("From setup “%1”: ").arg(text(outcome.chain.front().project.name))
                              : QString();
-    const QString advice = verdict_advice(v);
+    const QString advice = verdict_advice(v, document_.project()).text;
     emit said(v.passed() ? MessageBar::Kind::information : MessageBar::Kind::warning,
               from + verdict_message(outcome, document_.unit())
                   + (advice.isEmpty() ? QString() : QChar(' ') + advice),

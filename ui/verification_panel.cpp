@@ -1,12 +1,12 @@
 #include "ui/verification_panel.h"
 
+#include "core/job/project_setup.h"
 #include "core/job/verification.h"
 #include "ui/html_label.h"
 #include "ui/icons.h"
 #include "ui/sorted_item.h"
 #include "ui/text.h"
 #include "ui/theme.h"
-#include "ui/verdict_advice.h"
 #include "ui/worded.h"
 
 #include <QEvent>
@@ -28,6 +28,18 @@ namespace {
 constexpr std::size_t max_listed = 1000; // findings: more nobody goes through one by one
 enum Column { kind_column, depth_column, goto_column, operation_column };
 constexpr int finding_role = Qt::UserRole;
+
+VerdictAdvice advice_of(const VerificationModel& model, const Project& project) {
+    if (model.verdict() != Verdict::failed) return {};
+    VerdictAdvice advice = verdict_advice(model.verification(), project);
+    if (setup_count(project) > 1) advice.add.clear();
+    return advice;
+}
+
+void show_advised(QPushButton& button, const QString& what) {
+    button.setText(what);
+    button.setVisible(!what.isEmpty());
+}
 
 } // namespace
 
@@ -64,6 +76,10 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     note_ = label("verification_note");
     note_->setTextFormat(Qt::PlainText);
     column->addWidget(note_);
+    advised_ = new QPushButton(icon(Icon::add), QString(), page);
+    advised_->setObjectName(QStringLiteral("advised_button"));
+    connect(advised_, &QPushButton::clicked, this, [this] { emit add_wanted(advice().add); });
+    column->addWidget(advised_, 0, Qt::AlignLeft);
     verify_ = new QPushButton(icon(Icon::verify), tr("Verify"), page);
     verify_->setObjectName(QStringLiteral("verify_button"));
     connect(verify_, &QPushButton::clicked, this, &VerificationPanel::verify_requested);
@@ -210,7 +226,7 @@ void VerificationPanel::show_verdict() {
         line = model_.subject_text().isEmpty()
                    ? tr("Failed: %1").arg(model_.failure_text())
                    : tr("Failed: %1: %2").arg(model_.subject_text(), model_.failure_text());
-        note = verdict_advice(model_.verification());
+        note = advice().text;
         break;
     case Verdict::not_judged:
         which = Icon::verify_stale;
@@ -239,10 +255,15 @@ void VerificationPanel::show_verdict() {
     verdict_->setPalette(colored);
     note_->setText(note);
     note_->setVisible(!note.isEmpty());
+    show_advised(*advised_, advised_button(advice()));
     verify_->setVisible(verdict == Verdict::none || verdict == Verdict::stale);
     verify_->setText(verdict == Verdict::stale ? tr("Verify again") : tr("Verify"));
     verify_all_->setVisible(setup_count(document_.project()) > 1
                             && (verdict == Verdict::none || verdict == Verdict::stale || part_of_job));
+}
+
+VerdictAdvice VerificationPanel::advice() const {
+    return advice_of(model_, document_.project());
 }
 
 QString VerificationPanel::figures_html() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/deviation_view.h"
+#include "ui/verdict_advice.h"
 #include "ui/verification_model.h"
 
 #include <QScrollArea>
@@ -27,6 +28,9 @@ public:
     /// "Verified", "Failed verification: ...".
     QString verdict_line() const;
     QString figures_text() const;
+    /// What to do about the verdict; nothing is to be added where there are several setups: it is not known
+    /// whether it belongs into the one that is shown.
+    VerdictAdvice advice() const;
     QTreeWidget* findings() { return findings_; }
     DeviationHistogramView* histogram() { return histogram_; }
     DeviationRangeEditor* range() { return range_; }
@@ -37,6 +41,8 @@ signals:
     void verify_requested();
     /// All setups, as one job.
     void verify_all_requested();
+    /// What is advised about a failure: an operation of this kind.
+    void add_wanted(const std::string& kind);
     /// Its place in the model's list.
     void finding_chosen(std::size_t which);
     void range_edited(double low, double high);
@@ -61,7 +67,7 @@ private:
     bool figures_shown_ = false; ///< since the last refresh
     QLabel *icon_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *figures_ = nullptr,
            *findings_title_ = nullptr, *remarks_ = nullptr;
-    QPushButton *verify_ = nullptr, *verify_all_ = nullptr;
+    QPushButton *verify_ = nullptr, *verify_all_ = nullptr, *advised_ = nullptr;
     QWidget* results_ = nullptr;
     DeviationHistogramView* histogram_ = nullptr;
     DeviationRangeEditor* range_ = nullptr;

