@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/job/cutting_choice.h"
 #include "core/job/setting_remarks.h"
+#include "core/job/unroughed_stock.h"
 #include "core/job/work_estimate.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
@@ -346,6 +347,64 @@ QString work_hint(const Project& project, const std::shared_ptr<const PreparedPa
     return {};
 }
 
+/// That something has to rough first; empty where nothing has to.
+QString roughing_hint(const Project& project, const std::shared_ptr<const PreparedPart>& part,
+                      const Operation& operation) {
+    const auto unroughed = part ? unroughed_stock(project, *part, operation) : std::nullopt;
+    if (!unroughed) return {};
+    return PropertiesPanel::tr("Add Rough before it: the stock stands up to %1 above the part, and the tool "
+                               "comes %2 deep into it.")
+        .arg(shown_length(unroughed->highest, project.unit, 3),
+             shown_length(unroughed->reach, project.unit, 3));
+}
+
+QString operation_hint(const Project& project, const std::shared_ptr<const PreparedPart>& part,
+                       const Operation& operation) {
+    const QString roughing = roughing_hint(project, part, operation);
+    return roughing.isEmpty() ? work_hint(project, part, operation) : roughing;
+}
+
+/// The id of the operation that is chosen; 0: none is.
+int chosen_operation_id(const Document& document, const std::optional<TreeNode>& node) {
+    const bool shown =
+        node && node->kind == TreeNode::Kind::operation && node->index < document.operation_count();
+    return shown ? document.operation_id(node->index) : 0;
+}
+
+/// Says which fields a form has: another one builds it anew.
+QString form_shape(const Document& document, const std::optional<TreeNode>& node) {
+    if (!document.has_part() || !node) return {};
+    QString shape = QString::number(int(node->kind)) + QChar('/');
+    if (chosen_operation_id(document, node) != 0) {
+        // One form does for all of a kind.
+        shape += text(document.operation(node->index).kind()) + tools_text(document.project());
+        if (const LatheCommon* turning = document.operation(node->index).turning())
+            shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
+        const OperationCommon& common = document.operation(node->index).common();
+        shape += common.boundary.empty() ? QStringLiteral("/everywhere") : QStringLiteral("/within");
+        shape += common.avoid.empty() ? QStringLiteral("/") : QStringLiteral("/off");
+        for (const Boundary& b : document.project().boundaries)
+            shape += QChar('/') + text(b.name);
+    } else {
+        shape += QString::number(node->index);
+    }
+    if (node->kind == TreeNode::Kind::stock || node->kind == TreeNode::Kind::fixture
+        || node->kind == TreeNode::Kind::boundary)
+        shape += QChar('/') + QString::number(chosen_setup(document.project()));
+    if (node->kind == TreeNode::Kind::fixture && node->index < document.project().fixtures.size())
+        shape += QChar('/') + text(fixture_kind_name(document.project().fixtures[node->index].kind));
+    if (node->kind == TreeNode::Kind::boundary && node->index < document.project().boundaries.size())
+        shape += QChar('/') + text(boundary_kind_name(document.project().boundaries[node->index].kind))
+                 + tools_text(document.project());
+    if (node->kind == TreeNode::Kind::part)
+        for (const std::string& key : hidden_part_keys(document.project().part))
+            shape += QChar('/') + text(key);
+    if (node->kind == TreeNode::Kind::stock)
+        shape += QChar('/') + text(stock_kind_name(document.project().stock.kind))
+                 + (document.part() ? QStringLiteral("/sized") : QString());
+    return shape;
+}
+
 /// How far a tool is out of its holder, and how far it has to be to come down to the foot of the part.
 QString stick_out_text(const Tool& tool, const Project& project,
                        const std::shared_ptr<const PreparedPart>& part) {
@@ -467,43 +526,18 @@ bool PropertiesPanel::commit() {
     return form_->commit();
 }
 
-QString PropertiesPanel::shape() const {
-    if (!document_.has_part() || !node_) return {};
-    QString shape = QString::number(int(node_->kind)) + QChar('/') + QString::number(node_->index);
-    if (node_->kind == TreeNode::Kind::operation && node_->index < document_.operation_count()) {
-        shape += QChar('/') + QString::number(document_.operation_id(node_->index));
-        shape += tools_text(document_.project());
-        if (const LatheCommon* turning = document_.operation(node_->index).turning())
-            shape += through_points(*turning) ? QStringLiteral("/points") : QStringLiteral("/axis");
-        const OperationCommon& common = document_.operation(node_->index).common();
-        shape += common.boundary.empty() ? QStringLiteral("/everywhere") : QStringLiteral("/within");
-        shape += common.avoid.empty() ? QStringLiteral("/") : QStringLiteral("/off");
-        for (const Boundary& b : document_.project().boundaries)
-            shape += QChar('/') + text(b.name);
-    }
-    if (node_->kind == TreeNode::Kind::stock || node_->kind == TreeNode::Kind::fixture
-        || node_->kind == TreeNode::Kind::boundary)
-        shape += QChar('/') + QString::number(chosen_setup(document_.project()));
-    if (node_->kind == TreeNode::Kind::fixture && node_->index < document_.project().fixtures.size())
-        shape += QChar('/') + text(fixture_kind_name(document_.project().fixtures[node_->index].kind));
-    if (node_->kind == TreeNode::Kind::boundary && node_->index < document_.project().boundaries.size())
-        shape += QChar('/') + text(boundary_kind_name(document_.project().boundaries[node_->index].kind))
-                 + tools_text(document_.project());
-    if (node_->kind == TreeNode::Kind::part)
-        for (const std::string& key : hidden_part_keys(document_.project().part))
-            shape += QChar('/') + text(key);
-    if (node_->kind == TreeNode::Kind::stock)
-        shape += QChar('/') + text(stock_kind_name(document_.project().stock.kind))
-                 + (document_.part() ? QStringLiteral("/sized") : QString());
-    return shape;
+bool PropertiesPanel::take_shape() {
+    const int operation = chosen_operation_id(document_, node_);
+    if (std::exchange(operation_, operation) != operation) form_->forget_entries();
+    const QString shape = form_shape(document_, node_);
+    return std::exchange(shape_, shape) != shape;
 }
 
 void PropertiesPanel::refresh() {
     using Kind = TreeNode::Kind;
     const Project& project = document_.project();
     const LengthUnit unit = document_.unit();
-    const QString now = shape();
-    const bool build = std::exchange(shape_, now) != now;
+    const bool build = take_shape();
     QString title, hint;
     bool form = false, tool = false, mesh = false, regions = false, alarm = false; // the last: of the hint
     const auto show = [&](const Parameterized& values,
@@ -575,7 +609,7 @@ void PropertiesPanel::refresh() {
         title = text(operation.common().name);
         std::map<std::string, QString> remarks = remarks_on(project, node_->index);
         alarm = remarks.contains({});
-        hint = alarm ? remarks[{}] : work_hint(project, document_.part(), operation);
+        hint = alarm ? remarks[{}] : operation_hint(project, document_.part(), operation);
         form_->set_pickable(operation.turning() ? axis_points : std::vector<std::string>{"tool_axis"});
         show(operation, operation_choices(project), hidden_keys(operation));
         form_->set_remarks(remarks);

@@ -60,11 +60,13 @@ private:
     /// Beside the form: how a boundary is painted, what feeds an operation's tool knows.
     void show_boxes();
     void take(const std::string& key, const ParameterValue& value);
-    QString shape() const;
+    /// Takes what is to be shown; true where the form has to be built anew for it.
+    bool take_shape();
 
     Document& document_;
     std::optional<TreeNode> node_;
-    QString shape_; ///< what the form was built for; another one builds it anew
+    QString shape_;     ///< what the form was built for; another one builds it anew
+    int operation_ = 0; ///< the id of the one that it shows; 0: none
     ElidedLabel* title_ = nullptr;
     QLabel* hint_ = nullptr;
     ParameterForm* form_ = nullptr;

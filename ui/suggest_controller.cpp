@@ -63,6 +63,18 @@ QString kind_reason(const std::string& kind, const SuggestedPart& part) {
     return operation_words(kind);
 }
 
+/// What goes before all of them, and why; empty where nothing has to.
+QString roughing_words(const Suggestions& all, const Project& project) {
+    if (!all.rough) return {};
+    const std::optional<Tool>& own = all.rough->tool;
+    const Tool& tool = own ? *own : project.tool_of(*all.rough->operation);
+    return SuggestController::tr("%1 goes before it, with %2: the stock stands up to %3 above the part, and "
+                                 "the tool comes %4 deep into it")
+        .arg(text(first_name_of("rough")), text(tool.name),
+             shown_length(all.unroughed.highest, project.unit, 3),
+             shown_length(all.unroughed.reach, project.unit, 3));
+}
+
 QStringList reasons_of(const Suggestions& all, std::size_t i) {
     const Suggestion& s = all.best[i];
     QStringList reasons{kind_reason(std::string(s.operation->kind()), all.part)};
@@ -154,8 +166,11 @@ void SuggestController::show() {
     std::vector<SuggestDialog::Card> cards;
     for (std::size_t i = 0; i < found_->best.size(); ++i) {
         const Suggestion& s = found_->best[i];
+        QStringList reasons = reasons_of(*found_, i);
+        if (const QString first = roughing_words(*found_, document_.project()); !first.isEmpty())
+            reasons.prepend(first);
         cards.push_back({operation_picture(std::string(s.operation->kind())), suggestion_title(s),
-                         suggestion_figures(s, document_.unit()), reasons_of(*found_, i)});
+                         suggestion_figures(s, document_.unit()), reasons});
     }
     dialog_->show_cards(cards);
     if (found_->best.front().previewed)
@@ -176,18 +191,43 @@ void SuggestController::show_stale() {
     dialog_->show_status(tr("The project has changed since: look again to be sure."));
 }
 
-void SuggestController::add(std::size_t i) {
-    if (!found_ || i >= found_->best.size()) return;
-    auto operation = found_->best[i].operation->clone();
-    operation->common().name = document_.free_operation_name(first_name_of(std::string(operation->kind())));
-    const std::size_t place = new_operation(operation->kind(), document_.project()).place;
+std::size_t SuggestController::put_in(const Operation& suggested, QStringList& off) {
+    const Project& project = document_.project();
+    const auto cuts_the_same = [&](const Operation& o) {
+        const OperationCommon &its = o.common(), &new_one = suggested.common();
+        return o.purpose() == Purpose::finishing && !its.off && its.boundary == new_one.boundary
+               && its.avoid == new_one.avoid;
+    };
+    for (std::size_t k = 0; k < project.operations.size(); ++k)
+        if (cuts_the_same(*project.operations[k])) {
+            off << text(project.operations[k]->common().name);
+            switch_operation(document_, k, true);
+        }
+    if (found_->rough && unroughed_stock(project, *document_.part(), suggested))
+        document_.add_operation("rough");
+    auto operation = suggested.clone();
+    operation->common().name = document_.free_operation_name(first_name_of(std::string(suggested.kind())));
+    const std::size_t place = new_operation(suggested.kind(), project).place;
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(operation));
-    const QString name = text(one.front()->common().name);
     document_.add_operations(tr("Add operation"), place, std::move(one), {});
+    return place;
+}
+
+void SuggestController::add(std::size_t i) {
+    if (!found_ || i >= found_->best.size() || !document_.part_is_current()) return;
+    const auto found = found_; // a step of the history may drop what was found
+    QStringList off;
+    document_.undo_stack().beginMacro(tr("Add operation"));
+    const std::size_t place = put_in(*found->best[i].operation, off);
+    document_.undo_stack().endMacro();
+    const QString name = text(document_.operation(place).common().name);
     found_for_ = asked(); // with one of them more the others are no worse
     as_found_ = false;
-    dialog_->show_status(tr("%1 was added to the project. Undo takes it away.").arg(name));
+    dialog_->show_status(
+        off.isEmpty() ? tr("%1 was added to the project. Undo takes it away.").arg(name)
+                      : tr("%1 was added to the project in place of %2 (switched off). Undo takes it back.")
+                            .arg(name, off.join(QStringLiteral(", "))));
     emit added(place);
 }
 

@@ -94,6 +94,7 @@ private:
         common().name = own.name;
         common().tolerance = own.tolerance;
         common().allowance = own.allowance;
+        common().off = own.off;
     }
 
     /// In round numbers of the project's unit.

@@ -1,10 +1,10 @@
 #include "core/study/suggest.h"
 
 #include "core/job/axis_view.h"
-#include "core/job/new_operation.h"
 #include "core/job/project_setup.h"
 #include "core/job/verification.h"
 #include "core/job/verify_limits.h"
+#include "core/job/work_estimate.h"
 #include "core/strategy/surface/slope_facets.h"
 #include "core/study/evaluation.h"
 #include "core/study/previewed.h"
@@ -91,9 +91,10 @@ public:
         describe(progress.part(0, 0.02));
         const auto all = suggestable(project_);
         made_.looked_at = all.size();
+        add_roughing(all);
         std::vector<Suggestion> found = previewed(all, progress.part(0.02, 0.1));
         std::set<const Operation*> fit;
-        double wait = 0;
+        double wait = roughing_wait();
         for (const Suggestion& s : found) {
             const double more = planning_.at(s.operation.get());
             if (wait + more > longest_wait) continue;
@@ -107,6 +108,28 @@ public:
     }
 
 private:
+    /// Where it is needed.
+    void add_roughing(const std::vector<std::shared_ptr<const Operation>>& all) {
+        for (const auto& operation : all) {
+            const auto unroughed = unroughed_stock(rough_, part_, *operation);
+            if (!unroughed) continue;
+            made_.unroughed = *unroughed;
+            made_.rough = new_operation("rough", project_);
+            rough_.operations.push_back(made_.rough->operation->clone());
+            if (made_.rough->tool) rough_.tools.push_back(*made_.rough->tool);
+            return;
+        }
+    }
+
+    /// Of a processor: what planning the roughing takes that goes before each, about.
+    double roughing_wait() const {
+        double seconds = 0;
+        for (const auto& o : rough_.operations)
+            for (const WorkEstimate& work : estimate_plan(rough_, part_, o->common().name))
+                seconds += work.seconds;
+        return seconds;
+    }
+
     /// By what their previews say, the best first.
     std::vector<Suggestion> previewed(const std::vector<std::shared_ptr<const Operation>>& all,
                                       const Progress& progress) {

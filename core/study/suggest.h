@@ -9,10 +9,13 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/job/new_operation.h"
 #include "core/job/planner.h"
+#include "core/job/unroughed_stock.h"
 #include "core/study/halving.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +40,11 @@ struct SuggestedPart {
 
 struct Suggestions {
     std::vector<Suggestion> best; ///< at most three, the first to be preferred
-    std::size_t looked_at = 0;    ///< candidates
+    /// Where the part stands too deep in its stock for any of them: a roughing that goes before each, as
+    /// new_operation makes it; none where nothing is in their way.
+    std::optional<NewOperation> rough;
+    UnroughedStock unroughed;  ///< why, for the first tool that was looked at
+    std::size_t looked_at = 0; ///< candidates
     SuggestedPart part;
     /// Candidates that cannot be: the operation's name, and why.
     std::vector<std::pair<std::string, std::string>> refused;
@@ -48,7 +55,8 @@ struct Suggestions {
 /// has and with the largest round-nosed one.
 std::vector<std::shared_ptr<const Operation>> suggestable(const Project& project);
 
-/// For the shown setup. The project's roughing goes before each candidate, its other operations are left out.
+/// For the shown setup. The project's roughing goes before each candidate, or a new one where it has none and
+/// needs one; its other operations are left out.
 /// Throws what `evaluate` does; Error(empty_result) where no candidate passes, with the reason of the first.
 Suggestions suggest(const Project& project, const PreparedPart& part, const Progress& progress);
 

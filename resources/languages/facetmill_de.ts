@@ -10907,6 +10907,10 @@
         <translation>%1 von %2 bis %3</translation>
     </message>
     <message>
+        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the tool comes %4 deep into it</source>
+        <translation>%1 geht voraus, mit %2: das Rohteil steht bis zu %3 über dem Teil, und das Werkzeug kommt %4 tief hinein</translation>
+    </message>
+    <message>
         <source>%1 h left</source>
         <translation>noch %1 h</translation>
     </message>
@@ -11005,6 +11009,10 @@
     <message numerus="yes">
         <source>%1 tools</source>
         <translation><numerusform>%1 Werkzeug</numerusform><numerusform>%1 Werkzeuge</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 was added to the project in place of %2 (switched off). Undo takes it back.</source>
+        <translation>%1 wurde dem Projekt anstelle von %2 (ausgeschaltet) hinzugefügt. „Rückgängig“ nimmt es zurück.</translation>
     </message>
     <message>
         <source>%1 was added to the project. Undo takes it away.</source>
@@ -11583,6 +11591,10 @@
     <message>
         <source>Add &amp;%1</source>
         <translation>&amp;%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Rough before it: the stock stands up to %1 above the part, and the tool comes %2 deep into it.</source>
+        <translation>Davor Schruppen hinzufügen: das Rohteil steht bis zu %1 über dem Teil, und das Werkzeug kommt %2 tief hinein.</translation>
     </message>
     <message>
         <source>Add a material</source>
@@ -15278,6 +15290,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Teil ist noch nicht gelesen: es gibt nichts zu wählen.</translation>
     </message>
     <message>
+        <source>The part is still being turned. Do that again when it stands.</source>
+        <translation>Das Teil wird noch gedreht. Bitte wiederholen, wenn es steht.</translation>
+    </message>
+    <message>
+        <source>The part lies across its stock: squared up, the block about it is %1 % smaller.</source>
+        <translation>Das Teil liegt quer in seinem Rohteil: ausgerichtet wäre der Quader darum %1 % kleiner.</translation>
+    </message>
+    <message>
         <source>The part lies so already.</source>
         <translation>Das Teil liegt schon so.</translation>
     </message>
@@ -16028,6 +16048,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was die Ansicht zeigt</translation>
     </message>
     <message>
+        <source>What to do: a finish with the tool that fits; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: Schlichten mit dem Werkzeug, das dort passt; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
+    </message>
+    <message>
         <source>What to do: a larger stock.</source>
         <translation>Was zu tun ist: ein größeres Rohteil.</translation>
     </message>
@@ -16040,8 +16064,16 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was zu tun ist: ein längerer Schaft, ein schlankerer Halter, oder das Teil anders legen.</translation>
     </message>
     <message>
+        <source>What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: ein kleineres Werkzeug in Restbearbeitung; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
+    </message>
+    <message>
         <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
         <translation>Was zu tun ist: ein Rohteil, das tiefer reicht, oder „Unter dem Boden“, wo es dort nichts hält.</translation>
+    </message>
+    <message>
+        <source>What to do: a tool with longer flutes, or a smaller allowance in Rough.</source>
+        <translation>Was zu tun ist: ein Werkzeug mit längeren Schneiden, oder ein kleineres Aufmaß in Schruppen.</translation>
     </message>
     <message>
         <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
@@ -16062,6 +16094,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
         <translation>Was zu tun ist: vor dem Schlichten Schruppen hinzufügen, das wegnimmt, was im Weg steht.</translation>
+    </message>
+    <message>
+        <source>What to do: finish with a smaller tolerance.</source>
+        <translation>Was zu tun ist: mit kleinerer Toleranz schlichten.</translation>
     </message>
     <message>
         <source>What to do: move the fixture, or cut that place in a second setup.</source>

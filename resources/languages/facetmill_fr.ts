@@ -10907,6 +10907,10 @@
         <translation>%1 de %2 à %3</translation>
     </message>
     <message>
+        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the tool comes %4 deep into it</source>
+        <translation>%1 la précède, avec %2 : le brut dépasse la pièce de %3 au plus, et l'outil y entre de %4</translation>
+    </message>
+    <message>
         <source>%1 h left</source>
         <translation>encore %1 h</translation>
     </message>
@@ -11005,6 +11009,10 @@
     <message numerus="yes">
         <source>%1 tools</source>
         <translation><numerusform>%1 outil</numerusform><numerusform>%1 outils</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 was added to the project in place of %2 (switched off). Undo takes it back.</source>
+        <translation>%1 a été ajoutée au projet à la place de %2 (désactivée). « Annuler » la retire.</translation>
     </message>
     <message>
         <source>%1 was added to the project. Undo takes it away.</source>
@@ -11583,6 +11591,10 @@
     <message>
         <source>Add &amp;%1</source>
         <translation>Ajouter &amp;%1</translation>
+    </message>
+    <message>
+        <source>Add Rough before it: the stock stands up to %1 above the part, and the tool comes %2 deep into it.</source>
+        <translation>Ajouter Ébauche avant : le brut dépasse la pièce de %1 au plus, et l'outil y entre de %2.</translation>
     </message>
     <message>
         <source>Add a material</source>
@@ -15276,6 +15288,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>La pièce n'est pas encore lue : il n'y a rien à choisir.</translation>
     </message>
     <message>
+        <source>The part is still being turned. Do that again when it stands.</source>
+        <translation>La pièce est encore en train d'être tournée. Recommencer quand elle est en place.</translation>
+    </message>
+    <message>
+        <source>The part lies across its stock: squared up, the block about it is %1 % smaller.</source>
+        <translation>La pièce est en travers de son brut : redressée, le bloc qui l'entoure est plus petit de %1 %.</translation>
+    </message>
+    <message>
         <source>The part lies so already.</source>
         <translation>La pièce est déjà posée ainsi.</translation>
     </message>
@@ -16026,6 +16046,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Ce que montre la vue</translation>
     </message>
     <message>
+        <source>What to do: a finish with the tool that fits; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : une finition avec l'outil qui y entre ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
+    </message>
+    <message>
         <source>What to do: a larger stock.</source>
         <translation>Que faire : un brut plus grand.</translation>
     </message>
@@ -16038,8 +16062,16 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Que faire : une queue plus longue, un porte-outil plus mince, ou la pièce posée autrement.</translation>
     </message>
     <message>
+        <source>What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : un outil plus petit dans Nettoyage ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
+    </message>
+    <message>
         <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
         <translation>Que faire : un brut qui descend plus bas, ou « Sous le fond » là où rien ne le tient.</translation>
+    </message>
+    <message>
+        <source>What to do: a tool with longer flutes, or a smaller allowance in Rough.</source>
+        <translation>Que faire : un outil à dents plus longues, ou une surépaisseur plus petite dans Ébauche.</translation>
     </message>
     <message>
         <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
@@ -16060,6 +16092,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
         <translation>Que faire : ajouter Ébauche avant la finition, pour enlever le brut qui gêne.</translation>
+    </message>
+    <message>
+        <source>What to do: finish with a smaller tolerance.</source>
+        <translation>Que faire : finir avec une tolérance plus petite.</translation>
     </message>
     <message>
         <source>What to do: move the fixture, or cut that place in a second setup.</source>

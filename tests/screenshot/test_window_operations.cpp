@@ -22,6 +22,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QProgressBar>
 #include <QTest>
 
@@ -120,7 +121,6 @@ private slots:
         shot(w(), QStringLiteral("operations-cancelled"));
     }
 
-    void says_which_and_how_long() {
     /// It is not told of a tool that undo took away again.
     void a_tool_that_came_along_goes_with_its_message() {
         w().document().change(QStringLiteral("One tool"), [](Project& p) {
@@ -155,6 +155,7 @@ private slots:
         QCOMPARE(error_under(w(), "tolerance"), QString());
     }
 
+    void says_which_and_how_long() {
         auto* activity = w().findChild<QLabel*>(QStringLiteral("activity"));
         bool second = false;
         connect(&w().job(), &ui::BackgroundJob::progressed, this, [&](double, const QString& label) {

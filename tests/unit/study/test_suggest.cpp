@@ -116,6 +116,21 @@ private slots:
         }
     }
 
+    /// Short flutes in a block: something has to rough before whatever is suggested, and is part of it.
+    void stock_that_is_too_deep_is_roughed_first() {
+        SuggestJob job;
+        QVERIFY(!suggest(job.project, *job.part, Progress()).rough);
+        for (Tool& tool : job.project.tools)
+            tool.flute_length = 0.5;
+        const Suggestions found = suggest(job.project, *job.part, Progress());
+        QVERIFY(found.rough);
+        QCOMPARE(std::string(found.rough->operation->kind()), std::string("rough"));
+        QVERIFY(found.unroughed.highest > found.unroughed.reach && found.unroughed.share > 0.02);
+        QCOMPARE(found.best.size(), std::size_t(3));
+        job.project.operations.push_back(new_operation("rough", job.project).operation);
+        QVERIFY(!suggest(job.project, *job.part, Progress()).rough);
+    }
+
     void previews_tell_times_and_what_stays() {
         const SuggestJob job(4);
         PassPreviewer previewer;
