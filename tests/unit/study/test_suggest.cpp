@@ -121,7 +121,7 @@ private slots:
         SuggestJob job;
         QVERIFY(!suggest(job.project, *job.part, Progress()).rough);
         for (Tool& tool : job.project.tools)
-            tool.flute_length = 0.5;
+            tool.flute_length = 1.5;
         const Suggestions found = suggest(job.project, *job.part, Progress());
         QVERIFY(found.rough);
         QCOMPARE(std::string(found.rough->operation->kind()), std::string("rough"));
