@@ -65,9 +65,9 @@ private:
         double turn = 0.5 * step_;
         for (int k = 0; k < max_turns; ++k) {
             PostureValue p = posture_of_axis(space_.frame, axis);
-            if (p.lead < grid_.lead.front() || p.lead > grid_.lead.back() || p.yaw < grid_.yaw.front()
-                || p.yaw > grid_.yaw.back())
-                return std::nullopt;
+            p.lead = std::clamp(p.lead, grid_.lead.front(), grid_.lead.back());
+            p.yaw = std::clamp(p.yaw, grid_.yaw.front(), grid_.yaw.back());
+            axis = posture_axis(space_.frame, p.lead, p.yaw);
             const auto here = builder_.reason(space_.frame, p.lead, p.yaw, curves_);
             p.delta = here.bottom;
             if (here.block == PostureBlock::free) return p;

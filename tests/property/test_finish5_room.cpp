@@ -57,7 +57,9 @@ private slots:
         s.direction = {0, "x"};
         s.sides = Finish5Settings::Sides::top;
         s.grid_step = radians(16);
-        s.yaw_limits = {-pi, pi};
+        // To the left alone, or an axis that leans along the channel would do.
+        s.yaw_limits = {radians(80), radians(100)};
+        s.pattern = Finish5Settings::Pattern::oneway;
         s.stepover = {0.5, ""};
         const Finish5 op(s);
         const StrategyResult path = op.plan(context, Progress());

@@ -111,7 +111,7 @@ private slots:
     void a_pass_down_a_wall_ends_at_the_lowest_location() {
         const PlanContext context = beside_wall(foot_wall());
         Pass down;
-        for (double z = 8; z >= -0.5; z -= 0.5) {
+        for (double z = 8.2; z >= -0.5; z -= 0.5) {
             down.cc.push_back({Vec3(0, 0, z), Vec3::UnitX()});
             down.cl.push_back({Vec3(ball_radius, 0, z) - ball_radius * wall_lean, wall_lean});
         }
