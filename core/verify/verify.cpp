@@ -41,6 +41,8 @@ constexpr double inset_limits = 2, min_inset = 1e-3; // of the gouge limit; mm
 /// How far apart places looked at may be, in radii of the narrowest cutter: a hollow, or a cutter's mark, is
 /// some times as wide.
 constexpr double coarsest_look = 0.5;
+/// How many times as many places as else are looked at where fewer would leave the verdict open.
+constexpr std::size_t times_to_judge = 4;
 constexpr double finest_probe = 1e-4; // mm: what a probe may be off where the axis turns
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -185,7 +187,8 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
         remarks.push_back("The probes are up to " + length_text(samples.spacing, LengthUnit::mm, 3)
                           + " apart, " + format_number(samples.spacing / wanted_spacing, 3)
                           + " times farther than " + (asked ? "asked" : "the stock's rays")
-                          + ": else there would be more than " + std::to_string(max_samples)
+                          + ": else there would be more than "
+                          + std::to_string(std::max(max_samples, samples.points.size()))
                           + ". What is narrower may be missed.");
     return remarks;
 }
@@ -243,6 +246,19 @@ std::string not_judged_why(const Verification& v, const SurfaceSamples& samples,
     return {};
 }
 
+/// Places on the part's surface, near enough to each other to judge if that is to be had.
+SurfaceSamples samples_of(const Mesh& part, const VerifySettings& used, double min_radius,
+                          const Progress& progress) {
+    const double inset = std::max(inset_limits * used.gouge_limit, min_inset),
+                 coarsest = coarsest_look * min_radius;
+    SurfaceSamples usual =
+        sample_surface(part, used.sample_spacing, used.max_samples, progress.part(0, 0.5), inset);
+    if (usual.spacing <= coarsest || std::max(used.resolution, used.sample_spacing) > coarsest) return usual;
+    SurfaceSamples more =
+        sample_surface(part, coarsest, times_to_judge * used.max_samples, progress.part(0.5, 1), inset);
+    return more.spacing <= coarsest ? more : usual;
+}
+
 /// Looks at the part's surface: all of `v` that does not come from the stock.
 void compare(Verification& v, const Mesh& given, const StockSolid& stock, const StocksBefore& before,
              std::span<const VerifyProgram> programs, const Radii& radii, bool spacing_asked,
@@ -251,9 +267,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
     // Borrowed: it lives as long as this call.
     const MeshPtr outward = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
     const Mesh& part = *outward;
-    SurfaceSamples samples =
-        sample_surface(part, v.used.sample_spacing, v.used.max_samples, progress.part(0.04, 0.08),
-                       std::max(inset_limits * v.used.gouge_limit, min_inset));
+    SurfaceSamples samples = samples_of(part, v.used, radii.min, progress.part(0.04, 0.08));
     const std::vector<Vec3> axes = cutting_axes(programs, progress);
     const MeshSight sight(part, progress);
     flag_samples(samples, part, sight, radii.max, axes, progress.part(0.08, 0.15));

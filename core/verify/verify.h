@@ -58,7 +58,9 @@ struct VerifySettings {
     /// Coarser as well where cutting would ask rays more often (MaterialRemoval::rays_asked), down to an
     /// eighth of the narrowest cutter's radius.
     double usual_rays_asked = infinity;
-    std::size_t max_samples = 0; ///< 0: two million; half a million where axes turn, which takes longer
+    /// 0: two million; half a million where axes turn, which takes longer. Up to four times as many where
+    /// fewer would be too far apart for a verdict.
+    std::size_t max_samples = 0;
     /// Told how much is to be done before anything is; what it throws, `verify` throws.
     std::function<void(const VerifyWork&)> before_work = nullptr;
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.

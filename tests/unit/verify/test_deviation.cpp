@@ -463,6 +463,25 @@ private slots:
         QVERIFY(dense.surface->points.size() > 3 * plain.surface->points.size());
     }
 
+    void a_verdict_has_as_many_places_as_it_takes() {
+        const Mesh part = plane(Vec2(-20, -20), Vec2(20, 20));
+        const std::vector<VerifyProgram> programs = {passes(24, 24, 1, 0, 1).with(AptCutter::ball(8, 20))};
+        VerifySettings settings;
+        settings.resolution = 0.5;
+        const auto with = [&](std::size_t most) {
+            settings.max_samples = most;
+            return verify(part, block_over(part, 1), programs, settings, Progress());
+        };
+        // Half a radius apart is near enough, which takes some four hundred places.
+        const Verification enough = with(200), more = with(1000), never = with(40);
+        QVERIFY2(enough.not_judged.empty(), enough.not_judged.c_str());
+        QVERIFY(enough.surface->points.size() > 200 && enough.surface->points.size() <= 800);
+        QCOMPARE(enough.used.sample_spacing, 2.0);
+        QVERIFY(more.not_judged.empty() && more.surface->points.size() <= 1000
+                && more.used.sample_spacing < 2);
+        QVERIFY(!never.not_judged.empty() && never.used.sample_spacing > 2);
+    }
+
     void a_part_that_is_all_border_is_said() {
         const std::vector<VerifyProgram> programs = {passes(24, 24, 1, 0, 1).with(AptCutter::ball(16, 20))};
         for (const auto& [size, all_border] : {std::pair(7.0, true), std::pair(20.0, false)}) {
