@@ -73,7 +73,9 @@ void FolderDialog::judge() {
         wrong = tr("There is a file of this name: write another one.");
     else
         wrong = trouble();
-    said_->setText(wrong.isEmpty() ? note() : wrong);
+    const QString said = wrong.isEmpty() ? note() : wrong;
+    said_->setText(said);
+    said_->setVisible(!said.isEmpty());
     accept_->setEnabled(wrong.isEmpty());
 }
 

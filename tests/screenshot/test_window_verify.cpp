@@ -653,6 +653,9 @@ private slots:
         auto* button = dialog()->findChild<QPushButton*>(QStringLiteral("export"));
         line->setText(QStringLiteral("typed"));
         QVERIFY(!button->isEnabled() && said().contains(QStringLiteral("whole path")));
+        line->setText(folder);
+        QVERIFY(button->isEnabled() && said().isEmpty()
+                && dialog()->findChild<QLabel*>(QStringLiteral("export_trouble"))->isHidden()); // no gap
         line->selectAll();
         QTest::keyClicks(line, folder + QStringLiteral("/job/typed"));
         QCOMPARE(said(), QStringLiteral("The folder is made."));
