@@ -7,9 +7,7 @@
 
 #include <QWidget>
 
-#include <algorithm>
 #include <map>
-#include <ranges>
 #include <vector>
 
 class QGridLayout;
@@ -35,7 +33,10 @@ public:
     /// value beneath it is unchanged.
     void set_values(const Parameterized& values, LengthUnit unit);
     /// The next values are of something else: no field keeps an entry.
-    void forget_entries() { std::ranges::fill(rows_ | std::views::transform(&Row::has_value), false); }
+    void forget_entries() {
+        for (Row& row : rows_)
+            row.has_value = false;
+    }
 
     /// Sections of the manual's reference that hold the parameters, the first of them for drawings ("setups
     /// place"); set before the values.
