@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -34,14 +35,12 @@ public:
     void set_values(const Parameterized& values, LengthUnit unit);
     /// The next values are of something else: no field keeps an entry.
     void forget_entries() {
-        for (Row& row : rows_)
-            row.has_value = false;
+        std::ranges::for_each(rows_, [](Row& r) { r.has_value = false; });
     }
 
     /// Sections of the manual's reference that hold the parameters, the first of them for drawings ("setups
     /// place"); set before the values.
     void set_help_scope(const QString& scope);
-
     /// Lengths that fields know by name.
     void set_names(NamedLengths names) { names_ = std::move(names); }
 
