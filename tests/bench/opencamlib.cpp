@@ -42,6 +42,7 @@ void levels_of(ocl::Waterline& waterline, const ocl::STLSurf& surface, const ocl
             loops.emplace_back();
             for (const ocl::Point& p : loop)
                 loops.back().emplace_back(p.x, p.y, p.z);
+            if (!loop.empty()) loops.back().push_back(loops.back().front()); // it goes round
         }
     }
 }
