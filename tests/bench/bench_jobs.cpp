@@ -19,6 +19,7 @@
 #include "core/strategy/five_axis/finish5.h"
 #include "core/strategy/rough/rough.h"
 #include "core/strategy/waterline/waterline.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/median.h"
 #include "tests/bench/opencamlib.h"
 #include "tests/support/part_meshes.h"
@@ -31,7 +32,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -51,12 +51,6 @@ struct Measured {
     double amount = 0;               ///< facets, points or lifts, as the row says
 };
 
-double processor_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
 double clock_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -64,9 +58,9 @@ double clock_now() {
 /// Of what `work` does and nothing else.
 Measured timed(const std::function<double()>& work) {
     Measured m;
-    const double processor = processor_now(), clock = clock_now();
+    const double processor = bench::cpu_now(), clock = clock_now();
     m.amount = work();
-    m.processor = processor_now() - processor;
+    m.processor = bench::cpu_now() - processor;
     m.clock = clock_now() - clock;
     return m;
 }

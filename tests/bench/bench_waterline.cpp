@@ -11,13 +11,13 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/triangle_distance.h"
 #include "core/strategy/waterline/waterline.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/opencamlib.h"
 
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -39,17 +39,11 @@ struct Levels {
     double processor = 0;
 };
 
-double processor_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
 Levels timed(const std::function<Loops()>& work) {
-    const double before = processor_now();
+    const double before = bench::cpu_now();
     Levels made;
     made.loops = work();
-    made.processor = processor_now() - before;
+    made.processor = bench::cpu_now() - before;
     return made;
 }
 

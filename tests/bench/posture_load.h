@@ -4,22 +4,16 @@
 #include "core/mesh/mesh.h"
 #include "core/setup/tool.h"
 #include "core/setup/tool_pose.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/scalar/axial_elements.h"
 #include "tests/bench/scalar/lower_surface.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 #include <vector>
 
 namespace facetmill::bench {
-
-inline double cpu_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// Flat end D 0.5 in with shank and holder.
 inline Tool the_tool() {
