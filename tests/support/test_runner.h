@@ -16,7 +16,8 @@ bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> m
 
 /// Runs what `program [ClassName] [QtTest arguments]` asks for: one class only when its name comes first;
 /// without one, the classes that FACETMILL_CLASSES names, separated by commas, or all but those that
-/// FACETMILL_OTHER_CLASSES names, or the program's own (test_runner.cpp). The exit status of the program.
+/// FACETMILL_OTHER_CLASSES names, or the program's own (test_runner.cpp). Without any argument only failures
+/// and warnings are told, and at the end the classes that failed. The exit status of the program.
 int run_tests(int argc, char** argv);
 
 /// Path of a file or folder below tests/.
