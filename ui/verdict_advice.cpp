@@ -90,6 +90,7 @@ VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
     case Why::outside_stock:
         return {tr("What to do: a larger stock."), {}};
     case Why::not_seen:
+    case Why::upright:
         break;
     }
     return {};

@@ -64,6 +64,8 @@ const char* uncut_word(UncutReason::Why why) {
         return "outside_stock";
     case UncutReason::Why::not_seen:
         return "no_axis_sees";
+    case UncutReason::Why::upright:
+        return "upright_wall";
     }
     return "";
 }
@@ -223,6 +225,8 @@ std::string uncut_reason_text(const UncutReason& reason) {
         return "the stock does not reach there";
     case UncutReason::Why::not_seen:
         return "no tool axis sees it";
+    case UncutReason::Why::upright:
+        return "it is an upright wall, which asks for no pass of its own";
     }
     return {};
 }

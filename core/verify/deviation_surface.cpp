@@ -325,6 +325,7 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
     });
     s.weights.assign(s.points.size(), 0);
     s.flags.assign(s.points.size(), DeviationSurface::counted);
+    s.upright.assign(s.points.size(), 0);
     s.slopes.assign(s.points.size(), 0);
     for (std::size_t i = 0; i < s.triangles.size(); ++i) {
         if (i % facets_per_block == 0) progress.check();
@@ -374,6 +375,9 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
 
 namespace {
 
+/// How far beside a wall its line of sight runs, in radii of the widest cutter.
+constexpr double beside_share = 0.02;
+
 double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 route = b - a;
     const double square = route.squaredNorm();
@@ -395,6 +399,12 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
         return axis.dot(s.normals[i]) > tolerance::vertical_normal_z
                && sight.first_hit(s.places[i], axis) == infinity;
     };
+    // Beside the wall, so that one that is a little out of true does not stand in its own way.
+    const double beside = beside_share * cutter_radius;
+    const auto passed_along = [&](std::size_t i, const Vec3& axis) {
+        return axis.dot(s.normals[i]) >= -tolerance::vertical_normal_z
+               && sight.first_hit(s.places[i] + beside * s.normals[i], axis) == infinity;
+    };
     parallel_for(s.points.size(), samples_per_block, progress, [&](std::size_t i) {
         double steepest = -1;
         const Vec3* best = nullptr;
@@ -404,10 +414,12 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
                 best = &a;
             }
         s.slopes[i] = std::acos(std::clamp(steepest, -1.0, 1.0));
-        if (steepest <= tolerance::vertical_normal_z)
+        if (steepest <= tolerance::vertical_normal_z) {
             s.flags[i] |= DeviationSurface::away;
-        else if (!seen_along(i, *best)
-                 && std::none_of(axes.begin(), axes.end(), [&](const Vec3& a) { return seen_along(i, a); }))
+            s.upright[i] =
+                std::any_of(axes.begin(), axes.end(), [&](const Vec3& a) { return passed_along(i, a); });
+        } else if (!seen_along(i, *best)
+                   && std::none_of(axes.begin(), axes.end(), [&](const Vec3& a) { return seen_along(i, a); }))
             s.flags[i] |= DeviationSurface::hidden;
         const Vec3& p = s.points[i];
         bool near = false;

@@ -13,8 +13,9 @@ struct SurfaceSamples {
     std::vector<Vec3> points, normals;
     std::vector<Vec3> places;    ///< where lines start: the points, moved off sharp edges by `edge_inset`
     std::vector<double> weights; ///< mm^2: a third of the triangles round the point; they add up to the area
-    std::vector<std::uint8_t> flags; ///< DeviationSurface::Flag
-    std::vector<double> slopes;      ///< angle between normal and nearest tool axis, radians
+    std::vector<std::uint8_t> flags;   ///< DeviationSurface::Flag
+    std::vector<std::uint8_t> upright; ///< 1: `away`, and along an axis that passes it: a wall, no underside
+    std::vector<double> slopes;        ///< angle between normal and nearest tool axis, radians
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<Index, 2>> open_edges; ///< the part's edges with one facet, as vertices of it
     double spacing = 0;                           ///< the spacing that was used, mm
@@ -39,7 +40,7 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
 
 /// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet), `away`
 /// (steeper than any of `axes` reaches) and `hidden` (faces some of `axes`, and the part is in the way of
-/// them all).
+/// them all), and which of those that are away are `upright`, with nothing of the part above beside them.
 void flag_samples(SurfaceSamples& samples, const Mesh& part, const MeshSight& sight, double cutter_radius,
                   const std::vector<Vec3>& axes, const Progress& progress);
 

@@ -424,6 +424,8 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
             if (excess > limit) add({Why::not_seen}, i, samples.weights[i], excess);
             continue;
         }
+        if (flags == DeviationSurface::away && samples.upright[i] != 0 && excess > limit)
+            add({Why::upright}, i, samples.weights[i], excess);
         if ((flags & ~DeviationSurface::bare) != 0) continue;
         to_cut += samples.weights[i];
         if (flags & DeviationSurface::bare)

@@ -286,6 +286,13 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
     find_uncut_reasons(v, samples, probed, before, programs, progress.part(0.95, 0.99));
     v.remarks =
         remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples, v.border.samples > 0);
+    for (const UncutReason& r : v.uncut)
+        if (r.why == UncutReason::Why::upright)
+            v.remarks.push_back("Upright walls ask for no pass of their own: more than twice the tolerance "
+                                "stays on "
+                                + format_number(r.area, 3) + " mm² of them, up to "
+                                + length_text(r.excess_max, LengthUnit::mm, 3)
+                                + ", which is no part of the verdict.");
     if (sides.turned_facets > 0)
         v.remarks.push_back(std::to_string(sides.turned_facets)
                             + " facets are wound inward and were judged from the side that is outside.");

@@ -123,13 +123,14 @@ struct UncutReason {
         no_tool,       ///< no cutter of the programs fits in there
         outside_stock, ///< the stock does not reach it
         not_seen,      ///< no tool axis sees it: told, and no part of the verdict
+        upright,       ///< a wall along the tool axis, which asks for no pass of its own: told, no part of it
     };
     Why why = Why::not_cut;
     std::string program;       ///< whose tool fits, or its cutter; empty: none does
     double area = 0;           ///< mm^2
     double excess_max = 0;     ///< mm
     Vec3 place = Vec3::Zero(); ///< of the largest excess
-    bool counts() const { return why != Why::not_seen; }
+    bool counts() const { return why != Why::not_seen && why != Why::upright; }
 };
 
 enum class Verdict : std::uint8_t { verified, failed, not_judged };

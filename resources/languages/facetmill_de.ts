@@ -2984,6 +2984,10 @@
         <translation>Einheit</translation>
     </message>
     <message>
+        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} mm² of them, up to {2}, which is no part of the verdict.</source>
+        <translation>Aufrechte Wände verlangen keine eigene Bahn: auf {1} mm² von ihnen bleibt mehr als die doppelte Toleranz stehen, bis zu {2}, was nicht zum Urteil zählt.</translation>
+    </message>
+    <message>
         <source>Valley</source>
         <translation>Kehle</translation>
     </message>
@@ -5850,6 +5854,10 @@
     <message>
         <source>it is alike in all directions and has no principal axes</source>
         <translation>es ist in allen Richtungen gleich und hat keine Hauptachsen</translation>
+    </message>
+    <message>
+        <source>it is an upright wall, which asks for no pass of its own</source>
+        <translation>sie ist eine aufrechte Wand, die keine eigene Bahn verlangt</translation>
     </message>
     <message>
         <source>it is empty</source>

@@ -2984,6 +2984,10 @@
         <translation>Unités</translation>
     </message>
     <message>
+        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} mm² of them, up to {2}, which is no part of the verdict.</source>
+        <translation>Les parois verticales ne demandent pas de passe à elles : sur {1} mm² d'entre elles, il reste plus du double de la tolérance, jusqu'à {2}, ce qui ne compte pas dans le verdict.</translation>
+    </message>
+    <message>
         <source>Valley</source>
         <translation>Vallée</translation>
     </message>
@@ -5850,6 +5854,10 @@
     <message>
         <source>it is alike in all directions and has no principal axes</source>
         <translation>elle est pareille dans toutes les directions et n'a pas d'axes principaux</translation>
+    </message>
+    <message>
+        <source>it is an upright wall, which asks for no pass of its own</source>
+        <translation>c'est une paroi verticale, qui ne demande pas de passe à elle</translation>
     </message>
     <message>
         <source>it is empty</source>

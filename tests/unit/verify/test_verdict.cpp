@@ -283,6 +283,34 @@ private slots:
         QVERIFY(!hidden->counts());
     }
 
+    /// A wall along the tool axis has no pass of its own. What stands on it is told, as is that nothing of
+    /// that counts; beneath a roof it is no wall that a tool passes.
+    void what_stands_on_upright_walls_is_told() {
+        Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        stock.box.lo.x() -= 3;
+        const Verification v = judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6));
+        QCOMPARE(int(v.verdict()), int(Verdict::verified));
+        QCOMPARE(v.uncut_share, 0.0);
+        const UncutReason* wall = reason(v, UncutReason::Why::upright);
+        QVERIFY(wall && !wall->counts());
+        QVERIFY2(std::abs(wall->area - 300) < 30, qPrintable(QString::number(wall->area)));
+        QVERIFY(std::abs(wall->excess_max - 3) < 1e-6 && wall->place.x() < -19.99);
+        QVERIFY(std::any_of(v.remarks.begin(), v.remarks.end(), [](const std::string& remark) {
+            return remark.find("Upright walls") == 0 && remark.find("up to 3 mm,") != std::string::npos;
+        }));
+        const Mesh roof = box(Vec3(-26, -15, 6), Vec3(26, 15, 8));
+        const auto first = Index(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), roof.vertices.begin(), roof.vertices.end());
+        for (const Facet& f : roof.facets)
+            part.facets.push_back({f[0] + first, f[1] + first, f[2] + first});
+        stock.box.hi.z() = 8;
+        const Verification under =
+            judged(part, stock, lines(flat_tool(8), Vec2(-26, -15), Vec2(26, 15), 8, 6));
+        QVERIFY(!reason(under, UncutReason::Why::upright));
+    }
+
     /// Looked at too coarsely, nothing is verified; what is found all the same stands.
     void a_coarse_look_judges_nothing() {
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
