@@ -70,8 +70,8 @@ Choice choose(const Mesh& mesh, const std::string& on, double per, const Progres
 }
 
 void run_place(const Arguments& arguments, Session& session) {
-    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm);
-    const double per = mm_per(unit);
+    const LengthUnit unit = arguments.unit("--units", LengthUnit::mm), told = project_unit(unit);
+    const double per = mm_per(told);
     const std::string& path = arguments.operand(0);
     use_threads(arguments);
     const Progress progress = session.progress();
@@ -97,6 +97,7 @@ void run_place(const Arguments& arguments, Session& session) {
     part["rotate"] = vector_json(Vec3(degrees(at.rotate[0]), degrees(at.rotate[1]), degrees(at.rotate[2])));
     part["translate"] = vector_json(move / per);
     Json out;
+    out["units"] = std::string(unit_name(told));
     out["part"] = part;
     out["low"] = vector_json((box.lo + move) / per);
     out["high"] = vector_json((box.hi + move) / per);
@@ -111,7 +112,8 @@ Command place_command() {
         .name = "place",
         .operands = {"PART"},
         .summary = "Prints a placement that lays the part on a face, as a project has it.",
-        .help = "`part` is what a project file says of it: the face comes down to Z 0, the middle of the "
+        .help = "`part` is what a project file in these `units`, mm or in, says of it: the face comes down "
+                "to Z 0, the middle of the "
                 "box keeps its X\n"
                 "and Y. largest: the largest area on the table. best: the least surface that faces the "
                 "table without\n"
@@ -132,7 +134,7 @@ Command place_command() {
               .help = "also turn the part about Z to the smallest box, its longer side along X"},
              {.name = "--units",
               .value = "UNIT",
-              .help = "unit of all lengths: mm, cm, m, in, ft (default: mm)"},
+              .help = "unit of the file's numbers: mm, cm, m, in, ft (default: mm)"},
              threads_option()}),
         .run = run_place};
 }

@@ -15,6 +15,7 @@
 #include <QProcess>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <random>
@@ -256,18 +257,26 @@ private slots:
         Sandbox s;
         run_cli({"sample", "square-prism", "--tolerance", "0.5", "--units", "mm", "-o", "bar.stl"}, s.path());
         const Box3 bar = load_mesh((s.path() + "/bar.stl").toStdString(), LengthUnit::mm, {}).mesh->box();
-        for (const QString on : {"best", "largest", "0"}) {
+        // Of a file in metres, too, for which a project has no unit of its own.
+        const std::vector<std::array<QString, 3>> asked{{"best", "mm", "mm"},
+                                                        {"largest", "mm", "mm"},
+                                                        {"0", "mm", "mm"},
+                                                        {"0", "m", "mm"},
+                                                        {"0", "ft", "in"}};
+        for (const auto& [on, of_file, of_project] : asked) {
             const QJsonObject o =
-                json(run_cli({"place", "bar.stl", "--on", on, "--square", "--units", "mm"}, s.path()).out);
-            const QJsonObject project{{"facetmill", 1}, {"units", "mm"}, {"part", o["part"]}};
+                json(run_cli({"place", "bar.stl", "--on", on, "--square", "--units", of_file}, s.path()).out);
+            QCOMPARE(o["units"].toString(), of_project);
+            const QJsonObject project{{"facetmill", 1}, {"units", o["units"]}, {"part", o["part"]}};
             s.write("p.facetmill", QJsonDocument(project).toJson());
             const Project placed = load_project((s.path() + "/p.facetmill").toStdString());
             const Box3 box = Planner().prepare(placed, {})->box;
+            const double per = of_project == "in" ? 25.4 : 1, rounded = of_file == "mm" ? 1e-6 : 1e-4;
             for (int k = 0; k < 3; ++k) {
-                QVERIFY(std::abs(o["low"][k].toDouble() - box.lo[k]) < 1e-6);
-                QVERIFY(std::abs(o["high"][k].toDouble() - box.hi[k]) < 1e-6);
+                QVERIFY(std::abs(o["low"][k].toDouble() * per - box.lo[k]) < rounded);
+                QVERIFY(std::abs(o["high"][k].toDouble() * per - box.hi[k]) < rounded);
             }
-            QVERIFY(std::abs(box.lo.z()) < 1e-6);
+            QVERIFY(std::abs(box.lo.z()) < rounded);
             if (on == "0") continue;
             // A bar lies along, not on its end.
             QVERIFY(std::abs(box.size().x() - bar.size().maxCoeff()) < 1e-6);
