@@ -1,7 +1,10 @@
 #include "core/strategy/surface/contact_domain.h"
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
+
+#include <limits>
 
 namespace facetmill {
 
@@ -10,7 +13,7 @@ namespace {
 constexpr std::size_t pairs_per_check = 8192;
 /// A fan with more facets than this is represented by its outermost moves in sixteen directions.
 constexpr std::size_t large_fan = 16;
-/// Outlines that one thread finds at a time.
+/// Facets that one thread looks at at a time.
 constexpr std::size_t facets_per_block = 4096;
 
 } // namespace
@@ -33,57 +36,80 @@ class ContactDomain::Fans {
 public:
     using Move = std::array<float, 2>; ///< (u, v); NaN: the facet asks for nothing
 
-    Fans(const Mesh& mesh, const Progress& progress)
-        : mesh_(mesh), moves_(mesh.facet_count(), {std::numeric_limits<float>::quiet_NaN(), 0}),
-          start_(mesh.vertices.size() + 1, 0), progress_(progress) {}
-
-    void set(std::size_t facet, const Move& move) {
-        moves_[facet] = move;
-        for (const Index v : mesh_.facets[facet])
-            ++start_[v + 1];
-    }
-    /// To be called once all moves are set.
-    void join() {
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-            check(v);
-            start_[v + 1] += start_[v];
-        }
-        fan_.resize(start_.back());
-        std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-        for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-            check(f);
+    Fans(const Mesh& mesh, LargeVector<Move> moves, const Progress& progress)
+        : mesh_(mesh), moves_(std::move(moves)), start_(mesh.vertices.size() + 1, 0) {
+        for (std::size_t f = 0; f < moves_.size(); ++f) {
+            check(f, progress);
             if (!asks(f)) continue;
             for (const Index v : mesh_.facets[f])
-                fan_[next[v]++] = std::uint32_t(f);
+                ++start_[v + 1];
         }
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-            check(v);
-            if (start_[v + 1] - start_[v] > large_fan) thin(start_[v], start_[v + 1]);
-        }
+        join(progress);
     }
 
     bool asks(std::size_t facet) const { return moves_[facet][0] == moves_[facet][0]; }
-    /// All places, from the facet's first vertex, that it asks for at its corners.
-    void corners_of(std::size_t facet, const DriveFrame& frame, std::vector<Vec2>& corners) const {
-        corners.clear();
+    /// visit(u, v) for all places, from the facet's first vertex, that it asks for at its corners.
+    template <class Visit>
+    void each_corner(std::size_t facet, const DriveFrame& frame, Visit&& visit) const {
         const Move& own = moves_[facet];
         const Vec3& origin = mesh_.corner(facet, 0);
         for (const Index vertex : mesh_.facets[facet]) {
             const Vec3 p = mesh_.vertices[vertex] - origin;
             const double u = frame.u(p), v = frame.v(p);
-            corners.emplace_back(u + own[0], v + own[1]);
+            visit(u + own[0], v + own[1]);
             for (std::uint32_t i = start_[vertex]; i < start_[vertex + 1]; ++i) {
                 const std::uint32_t f = fan_[i];
                 if (f == no_index) break;
                 const Move& move = moves_[f];
-                if (move != own) corners.emplace_back(u + move[0], v + move[1]);
+                if (move != own) visit(u + move[0], v + move[1]);
             }
         }
     }
 
+    /// The least and the largest move around each vertex.
+    struct Reach {
+        Move lo{infinity_, infinity_}, hi{-infinity_, -infinity_};
+        void add(const Move& move) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                lo[k] = std::min(lo[k], move[k]);
+                hi[k] = std::max(hi[k], move[k]);
+            }
+        }
+    };
+    LargeVector<Reach> reaches(const Progress& progress) const {
+        LargeVector<Reach> reaches(mesh_.vertices.size());
+        for (std::size_t f = 0; f < moves_.size(); ++f) {
+            check(f, progress);
+            if (!asks(f)) continue;
+            for (const Index v : mesh_.facets[f])
+                reaches[v].add(moves_[f]);
+        }
+        return reaches;
+    }
+
 private:
-    void check(std::size_t i) const {
-        if (i % pairs_per_check == 0) progress_.check();
+    static constexpr float infinity_ = std::numeric_limits<float>::infinity();
+
+    static void check(std::size_t i, const Progress& progress) {
+        if (i % pairs_per_check == 0) progress.check();
+    }
+    void join(const Progress& progress) {
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            check(v, progress);
+            start_[v + 1] += start_[v];
+        }
+        fan_.resize(start_.back());
+        LargeVector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+        for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+            check(f, progress);
+            if (!asks(f)) continue;
+            for (const Index v : mesh_.facets[f])
+                fan_[next[v]++] = std::uint32_t(f);
+        }
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            check(v, progress);
+            if (start_[v + 1] - start_[v] > large_fan) thin(start_[v], start_[v + 1]);
+        }
     }
     /// Only the outermost moves of a large fan count; they are put first and the rest is cut off by an end
     /// marker, so that the facets of a fan do not each look at all the others.
@@ -105,9 +131,8 @@ private:
     }
 
     const Mesh& mesh_;
-    std::vector<Move> moves_;                ///< per facet
-    std::vector<std::uint32_t> start_, fan_; ///< facets around each vertex
-    const Progress& progress_;
+    LargeVector<Move> moves_;                ///< per facet
+    LargeVector<std::uint32_t> start_, fan_; ///< facets around each vertex
 };
 
 namespace {
@@ -141,38 +166,72 @@ void to_hull(std::vector<Vec2>& points) {
 } // namespace
 
 ContactDomain::ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover,
-                             double allowance, const Progress& progress)
+                             double allowance, const Progress& progress, std::size_t max_kept)
     : mesh_(mesh), frame_(frame) {
     const std::size_t n = mesh.facet_count();
-    Fans fans(mesh, progress);
-    for (std::size_t f = 0; f < n; ++f) {
-        if (f % pairs_per_check == 0) progress.check();
-        Vec3 normal = mesh.facet_normal(f);
-        if (normal.z() < 0) normal = -normal;
-        if (!(normal.z() >= tolerance::vertical_normal_z)) continue;
-        const Vec3 move = cover.tip_offset(normal) + allowance * normal;
-        fans.set(f, {float(frame.u(move)), float(frame.v(move))});
-        for (int k = 0; k < 3; ++k)
-            lowest_tip_ = std::min(lowest_tip_, mesh.corner(f, k).z() + move.z());
-        ++usable_;
+    LargeVector<Fans::Move> moves(n, {std::numeric_limits<float>::quiet_NaN(), 0});
+    lowest_tip_ = parallel_reduce(
+        n, facets_per_block, infinity, progress.part(0, 0),
+        [&](std::size_t begin, std::size_t end) {
+            double lowest = infinity;
+            for (std::size_t f = begin; f < end; ++f) {
+                Vec3 normal = mesh.facet_normal(f);
+                if (normal.z() < 0) normal = -normal;
+                if (!(normal.z() >= tolerance::vertical_normal_z)) continue;
+                const Vec3 move = cover.tip_offset(normal) + allowance * normal;
+                moves[f] = {float(frame.u(move)), float(frame.v(move))};
+                for (int k = 0; k < 3; ++k)
+                    lowest = std::min(lowest, mesh.corner(f, k).z() + move.z());
+            }
+            return lowest;
+        },
+        [](double a, double b) { return std::min(a, b); });
+    fans_ = std::make_shared<const Fans>(mesh, std::move(moves), progress);
+    for (std::size_t f = 0; f < n; ++f)
+        usable_ += fans_->asks(f);
+    std::vector<FlatBox> boxes = boxes_of_facets(progress);
+    if (n <= max_kept) {
+        keep_outlines(progress);
+        fans_.reset();
     }
-    fans.join();
-    find_outlines(fans, progress);
-    std::vector<FlatBox> boxes(n);
-    parallel_for(n, facets_per_block, progress.part(0, 0), [&](std::size_t f) { boxes[f] = box_of(f); });
     index_ = BoxRows(std::move(boxes), progress.part(0, 0));
 }
 
-void ContactDomain::find_outlines(const Fans& fans, const Progress& progress) {
+std::vector<FlatBox> ContactDomain::boxes_of_facets(const Progress& progress) const {
+    std::vector<FlatBox> boxes(mesh_.facet_count());
+    const LargeVector<Fans::Reach> reaches = fans_->reaches(progress);
+    parallel_for(boxes.size(), facets_per_block, progress.part(0, 0), [&](std::size_t f) {
+        if (!fans_->asks(f)) return;
+        const Vec2 first = first_vertex(f);
+        Vec2 lo = Vec2::Constant(infinity), hi = -lo; // of its outline's corners, which are floats
+        for (const Index vertex : mesh_.facets[f]) {
+            const Vec3 p = mesh_.vertices[vertex] - mesh_.corner(f, 0);
+            const Vec2 at(frame_.u(p), frame_.v(p));
+            const Fans::Reach& reach = reaches[vertex];
+            lo = lo.cwiseMin(Vec2(float(at.x() + reach.lo[0]), float(at.y() + reach.lo[1])));
+            hi = hi.cwiseMax(Vec2(float(at.x() + reach.hi[0]), float(at.y() + reach.hi[1])));
+        }
+        boxes[f].u.add(first.x() + lo.x(), first.x() + hi.x());
+        boxes[f].v.add(first.y() + lo.y(), first.y() + hi.y());
+    });
+    return boxes;
+}
+
+void ContactDomain::find_outline(std::size_t facet, std::vector<Vec2>& corners) const {
+    corners.clear();
+    fans_->each_corner(facet, frame_, [&](double u, double v) { corners.emplace_back(u, v); });
+    to_hull(corners);
+}
+
+void ContactDomain::keep_outlines(const Progress& progress) {
     const std::size_t n = mesh_.facet_count(), blocks = (n + facets_per_block - 1) / facets_per_block;
     outline_start_.assign(n + 1, 0);
     std::vector<std::vector<Corner>> found(blocks);
     parallel_for(blocks, 1, progress.part(0, 0), [&](std::size_t block) {
         std::vector<Vec2> corners;
         for (std::size_t f = block * facets_per_block; f < std::min(n, (block + 1) * facets_per_block); ++f) {
-            if (!fans.asks(f)) continue;
-            fans.corners_of(f, frame_, corners);
-            to_hull(corners);
+            if (!fans_->asks(f)) continue;
+            find_outline(f, corners);
             for (const Vec2& c : corners)
                 found[block].push_back({float(c.x()), float(c.y())});
             outline_start_[f + 1] = std::uint32_t(corners.size());
@@ -187,25 +246,34 @@ void ContactDomain::find_outlines(const Fans& fans, const Progress& progress) {
     }
 }
 
-FlatBox ContactDomain::box_of(std::size_t facet) const {
-    FlatBox box;
-    if (outline_start_[facet] == outline_start_[facet + 1]) return box;
-    const Vec2 first = first_vertex(facet);
-    for (std::uint32_t i = outline_start_[facet]; i < outline_start_[facet + 1]; ++i) {
-        const double u = first.x() + outlines_[i][0], v = first.y() + outlines_[i][1];
-        box.u.add(u, u);
-        box.v.add(v, v);
-    }
-    return box;
+/// Range of u of a facet that lies wholly in the strip; asked where outlines are not kept.
+Interval ContactDomain::whole(std::size_t facet) const {
+    const double first = first_vertex(facet).x();
+    Interval range{infinity, -infinity};
+    fans_->each_corner(facet, frame_, [&](double u, double) {
+        range.lo = std::min(range.lo, first + float(u));
+        range.hi = std::max(range.hi, first + float(u));
+    });
+    return range;
 }
 
 /// Range of u of a facet's outline within the strip: corners inside, and where the sides between them cross
 /// those of the strip. Empty (lo > hi) where they do not meet.
-Interval ContactDomain::clipped(std::size_t facet, double v0, double v1) const {
+Interval ContactDomain::clipped(std::size_t facet, double v0, double v1, Room& room) const {
     const Vec2 first = first_vertex(facet);
     const double low = v0 - first.y(), high = v1 - first.y();
-    const Corner* begin = outlines_.data() + outline_start_[facet];
-    const Corner* end = outlines_.data() + outline_start_[facet + 1];
+    const Corner *begin = nullptr, *end = nullptr;
+    if (fans_) {
+        find_outline(facet, room.corners);
+        room.outline.clear();
+        for (const Vec2& c : room.corners)
+            room.outline.push_back({float(c.x()), float(c.y())});
+        begin = room.outline.data();
+        end = begin + room.outline.size();
+    } else {
+        begin = outlines_.data() + outline_start_[facet];
+        end = outlines_.data() + outline_start_[facet + 1];
+    }
     Interval range{infinity, -infinity};
     const auto add = [&](double u) {
         range.lo = std::min(range.lo, u);
@@ -227,9 +295,11 @@ std::vector<Interval> ContactDomain::strip(double v0, double v1, double merge, c
     const double u0 = within ? within->lo - merge : -infinity, u1 = within ? within->hi + merge : infinity;
     // Mostly a facet's range lies in that of those before it, or goes on from there.
     std::vector<Interval> pieces;
+    Room room;
     index_.visit(v0, v1, u0, u1, [&](std::size_t f, const FlatBox& box) {
         if (!pieces.empty() && box.u.lo >= pieces.back().lo && box.u.hi <= pieces.back().hi) return;
-        const Interval range = clipped(f, v0, v1);
+        const bool inside = double(box.v.lo) > v0 && double(box.v.hi) < v1;
+        const Interval range = fans_ && inside ? whole(f) : clipped(f, v0, v1, room);
         if (!(range.lo <= range.hi)) return;
         if (!pieces.empty() && range.lo <= pieces.back().hi + merge && range.hi >= pieces.back().lo - merge)
             pieces.back() = {std::min(pieces.back().lo, range.lo), std::max(pieces.back().hi, range.hi)};

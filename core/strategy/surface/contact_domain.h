@@ -25,6 +25,7 @@
 #include "core/mesh/mesh.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,9 +38,14 @@ struct Interval {
 
 class ContactDomain {
 public:
+    /// Outlines of so many facets are kept. Where there are more, nearly all facets lie wholly in a strip or
+    /// in what those before them cover, and the others' are found when they are asked for, the same: to find
+    /// and keep all of them would take longer, and as much memory as the index of the part.
+    static constexpr std::size_t max_kept_outlines = 2'000'000;
+
     /// `allowance`: stock left along the surface normal. `mesh` must outlive the domain.
     ContactDomain(const Mesh& mesh, const DriveFrame& frame, const CutterCover& cover, double allowance,
-                  const Progress& progress);
+                  const Progress& progress, std::size_t max_kept = max_kept_outlines);
 
     bool empty() const { return index_.empty(); }
     /// Range of v over the domain.
@@ -65,12 +71,20 @@ private:
         const Vec3& p = mesh_.corner(facet, 0);
         return {frame_.u(p), frame_.v(p)};
     }
-    void find_outlines(const Fans& fans, const Progress& progress);
-    FlatBox box_of(std::size_t facet) const;
-    Interval clipped(std::size_t facet, double v0, double v1) const;
+    std::vector<FlatBox> boxes_of_facets(const Progress& progress) const;
+    void find_outline(std::size_t facet, std::vector<Vec2>& corners) const;
+    void keep_outlines(const Progress& progress);
+    /// Where outlines are found that are not kept.
+    struct Room {
+        std::vector<Vec2> corners;
+        std::vector<Corner> outline;
+    };
+    Interval whole(std::size_t facet) const;
+    Interval clipped(std::size_t facet, double v0, double v1, Room& room) const;
 
     const Mesh& mesh_;
     DriveFrame frame_;
+    std::shared_ptr<const Fans> fans_; ///< where outlines are not kept
     /// Convex outlines of what each facet asks for: from outline_start_[facet] to that of the next one.
     std::vector<std::uint32_t> outline_start_;
     std::vector<Corner> outlines_;

@@ -2,7 +2,9 @@
 #include "core/strategy/finish3/stepover.h"
 #include "core/strategy/surface/line_refiner.h"
 #include "tests/property/shapes.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -16,6 +18,19 @@ namespace {
 std::vector<AptCutter> cutters() {
     return {AptCutter::ball(6, 50), AptCutter::flat(6, 50), AptCutter::bull(6, 1, 50),
             AptCutter::from_shape(6, 1, radians(10), radians(8), 20), AptCutter::cone(8, radians(30))};
+}
+
+/// A tent of many facets about its tip.
+Mesh tent() {
+    constexpr Index sides = 40;
+    Mesh mesh;
+    mesh.vertices.emplace_back(0, 0, 4);
+    for (Index i = 0; i < sides; ++i) {
+        const double angle = 2 * pi * i / sides;
+        mesh.vertices.emplace_back(8 * std::cos(angle), 6 * std::sin(angle), 0.3 * (i % 3));
+        mesh.facets.push_back({0, 1 + i, 1 + (i + 1) % sides});
+    }
+    return mesh;
 }
 
 Vec3 upward(std::mt19937_64& rng) {
@@ -321,6 +336,32 @@ private slots:
                      qPrintable(QString("%1 %2").arg(found).arg(known)));
             const DriveLine far = stepover.line(8, 0.5, 0.5, nullptr, Progress());
             QCOMPARE(stepover.worst_cusp(&a, &far, 0, Progress()), infinity);
+        }
+    }
+
+    /// Large meshes keep no outlines; what their domains cover must not be told apart.
+    void a_domain_is_the_same_without_kept_outlines() {
+        const CutterProfile profile(AptCutter::ball(3, 20));
+        const CutterCover cover(profile, 0.001);
+        const auto hills = field(
+            25, 20, [](double x, double y) { return std::sin(x) * std::cos(0.8 * y); }, 0.3);
+        const auto scattered = soup(400, 20, 5);
+        Random rng(4);
+        for (const Mesh& mesh : {*hills, *scattered, tent()}) {
+            const DriveFrame frame(uniform(rng, 0, 6));
+            const ContactDomain kept(mesh, frame, cover, 0.2, Progress()),
+                found(mesh, frame, cover, 0.2, Progress(), 0);
+            QCOMPARE(found.lo(), kept.lo());
+            QCOMPARE(found.hi(), kept.hi());
+            QCOMPARE(found.lowest_tip(), kept.lowest_tip());
+            for (int trial = 0; trial < trials(100, 20); ++trial) {
+                const double v = uniform(rng, kept.lo() - 1, kept.hi()), wide = uniform(rng, -1, 3);
+                const auto a = kept.strip(v, v + std::max(wide, 0.0), 0.01),
+                           b = found.strip(v, v + std::max(wide, 0.0), 0.01);
+                QCOMPARE(b.size(), a.size());
+                for (std::size_t i = 0; i < a.size(); ++i)
+                    QVERIFY(a[i].lo == b[i].lo && a[i].hi == b[i].hi);
+            }
         }
     }
 };
