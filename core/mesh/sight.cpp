@@ -49,6 +49,20 @@ private:
     Vec3 per_, lo_, hi_;
 };
 
+/// Whether nothing is hit along d from p, beyond `start`; the tree is over boxes of so many facets each, in
+/// the mesh's order. The first facet that is hit answers.
+bool passes_all(const Mesh& mesh, const BoxTree& tree, std::size_t together, const Vec3& p, const Vec3& d,
+                double start) {
+    const LineAndBoxes line(p, d, start);
+    return tree.each_until([&](const Box3& box) { return line.meets(box, start, infinity); },
+                           [&](std::size_t i) {
+                               const std::size_t end = std::min(mesh.facet_count(), (i + 1) * together);
+                               for (std::size_t f = i * together; f < end; ++f)
+                                   if (hit(mesh, f, p, d, start) < infinity) return false;
+                               return true;
+                           });
+}
+
 } // namespace
 
 MeshSight::MeshSight(const Mesh& mesh, const Progress& progress)
@@ -66,6 +80,10 @@ double MeshSight::first_hit(const Vec3& p, const Vec3& d, double most) const {
                    within = nearest = here;
                });
     return nearest;
+}
+
+bool MeshSight::is_free(const Vec3& p, const Vec3& d) const {
+    return passes_all(mesh_, tree_, 1, p, d, start_);
 }
 
 double MeshSight::distance(const Vec3& p, double most, double share, double least) const {
@@ -116,14 +134,7 @@ OpenSight::OpenSight(const Mesh& mesh, std::size_t rays, const Progress& progres
 }
 
 bool OpenSight::is_free(const Vec3& p, const Vec3& d) const {
-    const LineAndBoxes line(p, d, start_);
-    return tree_.each_until([&](const Box3& box) { return line.meets(box, start_, infinity); },
-                            [&](std::size_t i) {
-                                const std::size_t end = std::min(mesh_.facet_count(), (i + 1) * together_);
-                                for (std::size_t f = i * together_; f < end; ++f)
-                                    if (hit(mesh_, f, p, d, start_) < infinity) return false;
-                                return true;
-                            });
+    return passes_all(mesh_, tree_, together_, p, d, start_);
 }
 
 } // namespace facetmill

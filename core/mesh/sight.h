@@ -18,6 +18,8 @@ public:
     /// of a facet leaves that facet and its doubles behind. Infinity where there is none up to `most`. d is a
     /// unit vector.
     double first_hit(const Vec3& p, const Vec3& d, double most = infinity) const;
+    /// Whether first_hit is infinite, told by the first facet that is found on the ray.
+    bool is_free(const Vec3& p, const Vec3& d) const;
 
     /// How far p is from the nearest facet; `most` where that is farther. What it is beyond `least` may be
     /// told by 1/share too large, which spares most of the search where many facets are about as near.

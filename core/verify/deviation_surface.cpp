@@ -396,8 +396,7 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
             boxes[i].add(part.vertices[v]);
     const BoxTree tree(std::move(boxes), progress);
     const auto seen_along = [&](std::size_t i, const Vec3& axis) {
-        return axis.dot(s.normals[i]) > tolerance::vertical_normal_z
-               && sight.first_hit(s.places[i], axis) == infinity;
+        return axis.dot(s.normals[i]) > tolerance::vertical_normal_z && sight.is_free(s.places[i], axis);
     };
     // Beside the wall, so that one that is a little out of true does not stand in its own way.
     const double beside = beside_share * cutter_radius;

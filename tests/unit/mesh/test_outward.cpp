@@ -53,6 +53,7 @@ private slots:
                 const Vec3 p(uniform(rng, 0, 10), uniform(rng, 0, 10), uniform(rng, -1, 3)),
                     d = Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)).normalized();
                 const bool is_free = sight.first_hit(p, d) == infinity;
+                QCOMPARE(sight.is_free(p, d), is_free);
                 QCOMPARE(few.is_free(p, d), is_free);
                 QCOMPARE(many.is_free(p, d), is_free);
                 free += is_free;
