@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/gouge/axial_kernel.h"
 #include "core/gouge/axial_lift.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/median.h"
 #include "tests/bench/scalar/axial_elements.h"
 #include "tests/bench/scalar/axial_lift.h"
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 #include <vector>
 
@@ -53,14 +53,9 @@ std::shared_ptr<const Mesh> height_field(std::size_t facets) {
 /// Processor time of the whole program: for one thread, what the wall clock would show on an idle machine.
 template <class Call>
 double cpu_seconds(Call&& call) {
-    const auto now = [] {
-        timespec t{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-        return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-    };
-    const double start = now();
+    const double start = bench::cpu_now();
     call();
-    return now() - start;
+    return bench::cpu_now() - start;
 }
 
 template <class Call>

@@ -11,21 +11,15 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/sample.h"
 #include "core/verify/removal.h"
+#include "tests/bench/cpu_time.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace facetmill;
 
 namespace {
-
-double cpu_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 constexpr double inch = 25.4, feed = 100 * inch / 60; // mm/s
 
@@ -96,7 +90,7 @@ void run(const char* name, const MeshPtr& part, const Tool& tool,
     for (bool watch : {false, true}) {
         StockModel stock(solid, StockLattice::over(solid.box, resolution), Progress());
         MaterialRemoval removal(programs, 0.5 * resolution, 0.02 * resolution);
-        const double cpu = cpu_now();
+        const double cpu = bench::cpu_now();
         const auto start = std::chrono::steady_clock::now();
         removal.cut(stock, 0, 0, motions->motions.size(), 1, watch, Progress());
         const double seconds =
@@ -105,7 +99,7 @@ void run(const char* name, const MeshPtr& part, const Tool& tool,
                     "%7.1f  %5.1f MB  "
                     "collisions %zu\n",
                     name, motions->motions.size(), length, stock.lattice().rays(),
-                    watch ? "watched" : "cut only", seconds, cpu_now() - cpu, length / feed / seconds,
+                    watch ? "watched" : "cut only", seconds, bench::cpu_now() - cpu, length / feed / seconds,
                     double(stock.bytes()) / 1e6, removal.collisions().size());
     }
 }

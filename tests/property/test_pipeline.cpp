@@ -5,6 +5,7 @@
 #include "core/job/chain_verification.h"
 #include "core/job/verification.h"
 #include "core/job/work_estimate.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/property/random_jobs.h"
 #include "tests/support/test_runner.h"
 
@@ -13,7 +14,6 @@
 
 #include <atomic>
 #include <cstdio>
-#include <ctime>
 #include <future>
 #include <numeric>
 
@@ -40,12 +40,6 @@ constexpr struct {
 constexpr double longest = 240, estimates_allowed = 4, longest_to_end = 4;
 /// Where nothing runs there is no processor time.
 constexpr auto longest_asleep = std::chrono::hours(1);
-
-double processor_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 struct Outcome {
     std::string what;  ///< "verified", "refused: ...", "said so"
@@ -156,11 +150,11 @@ Outcome tried_in_time(std::uint64_t seed) {
     std::atomic<double> estimated = 0;
     auto outcome = std::async(std::launch::async, [&] { return tried(seed, estimated, Progress(job)); });
     const auto ends_within = [&](double seconds, double estimates) {
-        const double start = processor_seconds();
+        const double start = bench::cpu_now();
         for (auto waited = std::chrono::milliseconds(0); waited < longest_asleep;
              waited += std::chrono::milliseconds(100)) {
             if (outcome.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) return true;
-            if (processor_seconds() > start + std::max(seconds, estimates * estimated)) return false;
+            if (bench::cpu_now() > start + std::max(seconds, estimates * estimated)) return false;
         }
         return false;
     };
@@ -200,11 +194,11 @@ private slots:
     }
     void nobody_is_fooled() {
         QFETCH(qulonglong, seed);
-        const double start = processor_seconds();
+        const double start = bench::cpu_now();
         const Outcome outcome = tried_in_time(seed);
         if (qEnvironmentVariableIsSet("FACETMILL_PIPELINE")) {
-            std::printf("%llu %.1f s %s%s\n", seed, processor_seconds() - start,
-                        outcome.right ? "" : "WRONG ", outcome.what.c_str());
+            std::printf("%llu %.1f s %s%s\n", seed, bench::cpu_now() - start, outcome.right ? "" : "WRONG ",
+                        outcome.what.c_str());
             std::fflush(stdout);
         }
         QVERIFY2(outcome.right, outcome.what.c_str());
