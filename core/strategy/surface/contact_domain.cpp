@@ -15,6 +15,8 @@ constexpr std::size_t pairs_per_check = 8192;
 constexpr std::size_t large_fan = 16;
 /// Facets that one thread looks at at a time.
 constexpr std::size_t facets_per_block = 4096;
+/// Facets that wait for another to cover them.
+constexpr std::size_t max_waiting = 16;
 
 } // namespace
 
@@ -144,23 +146,24 @@ void to_hull(std::vector<Vec2>& points) {
     };
     std::sort(points.begin(), points.end(), before);
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() < 3) return;
-    std::vector<Vec2> hull;
-    const auto add = [&](const Vec2& p, std::size_t first) {
-        while (hull.size() >= first + 2) {
-            const Vec2 a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
+    const std::size_t n = points.size();
+    if (n < 3) return;
+    // Behind the points, so that what has room for them once asks for no more.
+    const auto add = [&](const Vec2 p, std::size_t first) {
+        while (points.size() >= first + 2) {
+            const Vec2 a = points.back() - points[points.size() - 2], b = p - points.back();
             if (a.x() * b.y() - a.y() * b.x() > 0) break;
-            hull.pop_back();
+            points.pop_back();
         }
-        hull.push_back(p);
+        points.push_back(p);
     };
-    for (const Vec2& p : points)
-        add(p, 0);
-    const std::size_t first = hull.size() - 1;
-    for (std::size_t i = points.size() - 1; i-- > 0;)
+    for (std::size_t i = 0; i < n; ++i)
+        add(points[i], n);
+    const std::size_t first = points.size() - 1;
+    for (std::size_t i = n - 1; i-- > 0;)
         add(points[i], first);
-    hull.pop_back(); // the first once more
-    points = std::move(hull);
+    points.pop_back(); // the first once more
+    points.erase(points.begin(), points.begin() + std::ptrdiff_t(n));
 }
 
 } // namespace
@@ -293,19 +296,48 @@ Interval ContactDomain::clipped(std::size_t facet, double v0, double v1, Room& r
 std::vector<Interval> ContactDomain::strip(double v0, double v1, double merge, const Interval* within) const {
     // What ends just outside may join what begins inside.
     const double u0 = within ? within->lo - merge : -infinity, u1 = within ? within->hi + merge : infinity;
-    // Mostly a facet's range lies in that of those before it, or goes on from there.
     std::vector<Interval> pieces;
+    const auto is_covered = [&](const FloatInterval& u) {
+        return !pieces.empty() && u.lo >= pieces.back().lo && u.hi <= pieces.back().hi;
+    };
+    // A fine part's facets overlap one another's ranges many times. Those that begin where all is covered up
+    // to their beginning wait: the one of them whose box ends last most likely covers the others.
+    struct Waiting {
+        std::size_t facet;
+        FlatBox box;
+    };
+    std::vector<Waiting> waiting;
     Room room;
-    index_.visit(v0, v1, u0, u1, [&](std::size_t f, const FlatBox& box) {
-        if (!pieces.empty() && box.u.lo >= pieces.back().lo && box.u.hi <= pieces.back().hi) return;
-        const bool inside = double(box.v.lo) > v0 && double(box.v.hi) < v1;
-        const Interval range = fans_ && inside ? whole(f) : clipped(f, v0, v1, room);
+    const auto take = [&](const Waiting& next) {
+        const bool inside = double(next.box.v.lo) > v0 && double(next.box.v.hi) < v1;
+        const Interval range = fans_ && inside ? whole(next.facet) : clipped(next.facet, v0, v1, room);
         if (!(range.lo <= range.hi)) return;
         if (!pieces.empty() && range.lo <= pieces.back().hi + merge && range.hi >= pieces.back().lo - merge)
             pieces.back() = {std::min(pieces.back().lo, range.lo), std::max(pieces.back().hi, range.hi)};
         else
             pieces.push_back(range);
+    };
+    const auto take_waiting = [&] {
+        while (!waiting.empty()) {
+            const auto last =
+                std::max_element(waiting.begin(), waiting.end(),
+                                 [](const Waiting& a, const Waiting& b) { return a.box.u.hi < b.box.u.hi; });
+            take(*last);
+            *last = waiting.back();
+            waiting.pop_back();
+            std::erase_if(waiting, [&](const Waiting& w) { return is_covered(w.box.u); });
+        }
+    };
+    index_.visit(v0, v1, u0, u1, [&](std::size_t f, const FlatBox& box) {
+        if (is_covered(box.u)) return;
+        const bool is_apart = pieces.empty() || double(box.u.lo) > pieces.back().hi;
+        if (!waiting.empty() && (is_apart || waiting.size() == max_waiting)) {
+            take_waiting();
+            if (is_covered(box.u)) return;
+        }
+        waiting.push_back({f, box});
     });
+    take_waiting();
     return joined(std::move(pieces), merge);
 }
 

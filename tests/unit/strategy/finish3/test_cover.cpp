@@ -364,6 +364,32 @@ private slots:
             }
         }
     }
+
+    /// Asked about a place alone, where few facets come into it, and about all of a strip, where most are
+    /// passed over.
+    void a_strip_covers_what_its_places_do() {
+        const CutterProfile profile(AptCutter::ball(3, 20));
+        const CutterCover cover(profile, 0.001);
+        const auto hills = field(
+            60, 20, [](double x, double y) { return std::sin(x) * std::cos(0.8 * y); }, 0.3);
+        const auto scattered = soup(400, 20, 5);
+        const auto covers = [](const std::vector<Interval>& pieces, double u) {
+            return std::ranges::any_of(pieces, [u](const Interval& i) { return i.lo <= u && u <= i.hi; });
+        };
+        Random rng(6);
+        std::size_t covered = 0, bare = 0;
+        for (const Mesh& mesh : {*hills, *scattered}) {
+            const ContactDomain domain(mesh, DriveFrame(uniform(rng, 0, 6)), cover, 0.2, Progress());
+            for (int trial = 0; trial < trials(300, 100); ++trial) {
+                const double v = uniform(rng, domain.lo(), domain.hi()), u = uniform(rng, -30, 30);
+                const Interval here{u, u};
+                const bool is_covered = covers(domain.strip(v, v + 0.1, 0.001), u);
+                QCOMPARE(is_covered, covers(domain.strip(v, v + 0.1, 0.001, &here), u));
+                (is_covered ? covered : bare) += 1;
+            }
+        }
+        QVERIFY(covered > 50 && bare > 50);
+    }
 };
 
 FACETMILL_TEST(TestCover)
