@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
-/// Compiled for vectors of four doubles as well; which of both is run is chosen when the program is loaded.
-/// The same operations in the same order, so the same numbers. Sanitizers look at the one for every
-/// processor.
+/// Compiled for vectors of four and of eight doubles as well; which of them is run is chosen when the program
+/// is loaded. The same operations in the same order, so the same numbers. Sanitizers look at the one for
+/// every processor.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)        \
     && !defined(__SANITIZE_THREAD__)
-#define FACETMILL_WIDE __attribute__((target_clones("avx2", "default")))
+#define FACETMILL_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define FACETMILL_WIDE
 #endif
