@@ -3,7 +3,6 @@
 #include "core/base/tolerances.h"
 #include "core/job/cutting_choice.h"
 #include "core/job/setting_remarks.h"
-#include "core/job/unroughed_stock.h"
 #include "core/job/work_estimate.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
@@ -348,9 +347,9 @@ QString work_hint(const Project& project, const std::shared_ptr<const PreparedPa
 }
 
 /// That something has to rough first; empty where nothing has to.
-QString roughing_hint(const Project& project, const std::shared_ptr<const PreparedPart>& part,
-                      const Operation& operation) {
-    const auto unroughed = part ? unroughed_stock(project, *part, operation) : std::nullopt;
+QString roughing_hint(UnroughedLook& look, const Project& project,
+                      const std::shared_ptr<const PreparedPart>& part, const Operation& operation) {
+    const auto unroughed = part ? look.of(project, *part, operation) : std::nullopt;
     if (!unroughed) return {};
     return PropertiesPanel::tr("Add Rough before it: the stock stands up to %1 above the part, and the tool "
                                "comes %2 deep into it.")
@@ -358,9 +357,9 @@ QString roughing_hint(const Project& project, const std::shared_ptr<const Prepar
              shown_length(unroughed->reach, project.unit, 3));
 }
 
-QString operation_hint(const Project& project, const std::shared_ptr<const PreparedPart>& part,
-                       const Operation& operation) {
-    const QString roughing = roughing_hint(project, part, operation);
+QString operation_hint(UnroughedLook& look, const Project& project,
+                       const std::shared_ptr<const PreparedPart>& part, const Operation& operation) {
+    const QString roughing = roughing_hint(look, project, part, operation);
     return roughing.isEmpty() ? work_hint(project, part, operation) : roughing;
 }
 
@@ -609,7 +608,7 @@ void PropertiesPanel::refresh() {
         title = text(operation.common().name);
         std::map<std::string, QString> remarks = remarks_on(project, node_->index);
         alarm = remarks.contains({});
-        hint = alarm ? remarks[{}] : operation_hint(project, document_.part(), operation);
+        hint = alarm ? remarks[{}] : operation_hint(unroughed_, project, document_.part(), operation);
         form_->set_pickable(operation.turning() ? axis_points : std::vector<std::string>{"tool_axis"});
         show(operation, operation_choices(project), hidden_keys(operation));
         form_->set_remarks(remarks);

@@ -1,6 +1,7 @@
 // The form of what is selected in the tree. Edits go to the document as steps of its history.
 #pragma once
 
+#include "core/job/unroughed_stock.h"
 #include "ui/document.h"
 #include "ui/parameter_editor.h"
 #include "ui/project_tree.h"
@@ -65,7 +66,8 @@ private:
 
     Document& document_;
     std::optional<TreeNode> node_;
-    QString shape_;     ///< what the form was built for; another one builds it anew
+    QString shape_; ///< what the form was built for; another one builds it anew
+    UnroughedLook unroughed_;
     int operation_ = 0; ///< the id of the one that it shows; 0: none
     ElidedLabel* title_ = nullptr;
     QLabel* hint_ = nullptr;

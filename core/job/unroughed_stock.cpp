@@ -28,17 +28,9 @@ bool is_asked(const Project& project, const Operation& finishing) {
               });
 }
 
-} // namespace
-
-std::optional<UnroughedStock> unroughed_stock(const Project& project, const PreparedPart& part,
-                                              const Operation& finishing) {
-    const Tool* tool = find_tool(project.tools, finishing.common().tool);
-    if (!tool || !is_asked(project, finishing)) return std::nullopt;
+UnroughedStock measured(const Mesh& mesh, double top, double reach) {
     UnroughedStock found;
-    found.reach = reach_of(*tool);
-    const double top = stock_solid(project.stock, part).box.hi.z(), level = top - found.reach;
-    if (!(part.box.lo.z() < level)) return std::nullopt;
-    const Mesh& mesh = *part.mesh;
+    found.reach = reach;
     double deep = 0, all = 0;
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
         const Vec3 cross = mesh.facet_cross(f);
@@ -46,12 +38,34 @@ std::optional<UnroughedStock> unroughed_stock(const Project& project, const Prep
         if (!(cross.z() > min_facing_up * area)) continue;
         const double middle = (mesh.corner(f, 0).z() + mesh.corner(f, 1).z() + mesh.corner(f, 2).z()) / 3;
         all += area;
-        if (middle < level) deep += area;
+        if (middle < top - reach) deep += area;
         found.highest = std::max(found.highest, top - middle);
     }
     found.share = all > 0 ? deep / all : 0;
-    if (found.share <= project.limits.uncut_limit) return std::nullopt;
     return found;
+}
+
+} // namespace
+
+std::optional<UnroughedStock> UnroughedLook::of(const Project& project, const PreparedPart& part,
+                                                const Operation& finishing) {
+    const Tool* tool = find_tool(project.tools, finishing.common().tool);
+    if (!tool || !is_asked(project, finishing)) return std::nullopt;
+    const double reach = reach_of(*tool), top = stock_solid(project.stock, part).box.hi.z();
+    if (!(part.box.lo.z() < top - reach)) return std::nullopt;
+    if (mesh_.lock() != part.mesh || top != top_ || reach != reach_) {
+        kept_ = measured(*part.mesh, top, reach);
+        mesh_ = part.mesh;
+        top_ = top;
+        reach_ = reach;
+    }
+    if (kept_.share <= project.limits.uncut_limit) return std::nullopt;
+    return kept_;
+}
+
+std::optional<UnroughedStock> unroughed_stock(const Project& project, const PreparedPart& part,
+                                              const Operation& finishing) {
+    return UnroughedLook().of(project, part, finishing);
 }
 
 } // namespace facetmill

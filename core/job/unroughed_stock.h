@@ -4,6 +4,7 @@
 
 #include "core/job/planner.h"
 
+#include <memory>
 #include <optional>
 
 namespace facetmill {
@@ -12,6 +13,19 @@ struct UnroughedStock {
     double highest = 0; ///< of stock over the part's surface, mm
     double reach = 0;   ///< how deep the tool comes into solid stock, mm
     double share = 0;   ///< of the surface that faces up, by area, is deeper below the stock's top than that
+};
+
+/// Asks again and again, of the same part mostly: facets are walked once for each part, stock and reach.
+class UnroughedLook {
+public:
+    /// What `unroughed_stock` says.
+    std::optional<UnroughedStock> of(const Project& project, const PreparedPart& part,
+                                     const Operation& finishing);
+
+private:
+    std::weak_ptr<const Mesh> mesh_; ///< of `kept_`, as top and reach
+    double top_ = 0, reach_ = 0;
+    UnroughedStock kept_;
 };
 
 /// What an operation of the shown setup would find, in the setup's coordinates. None where an operation of

@@ -49,6 +49,28 @@ private slots:
         QVERIFY2(std::abs(found->share - 1.0 / 3) < 0.01, qPrintable(QString::number(found->share)));
     }
 
+    void facets_are_walked_once_for_a_part_a_stock_and_a_reach() {
+        StepJob job;
+        UnroughedLook look;
+        const auto found = [&] { return look.of(job.project, job.part, *job.project.operations.front()); };
+        const double share = found()->share;
+        auto mesh = std::make_shared<Mesh>(*job.part.mesh);
+        job.part.mesh = mesh;
+        QCOMPARE(found()->share, share);
+        for (Vec3& v : mesh->vertices) // nothing that is asked for: it would be seen
+            if (v.z() > 1) v.z() = 0.5;
+        QCOMPARE(found()->share, share);
+        job.project.stock.margin = {2, 2, 3};
+        QVERIFY(found()->share > 0.9);
+        QCOMPARE(found()->highest, 23.0);
+        for (Vec3& v : mesh->vertices)
+            v.z() *= 40;
+        QVERIFY(found()->share > 0.9);
+        job.project.tools.front().flute_length = 9;
+        QVERIFY(found()->share < 0.5);
+        QCOMPARE(found()->reach, 9.0);
+    }
+
     void flutes_that_reach_or_a_slim_shank_need_no_roughing() {
         StepJob job;
         job.project.tools.front().flute_length = 22;
