@@ -78,7 +78,7 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     column->addWidget(note_);
     advised_ = new QPushButton(icon(Icon::add), QString(), page);
     advised_->setObjectName(QStringLiteral("advised_button"));
-    connect(advised_, &QPushButton::clicked, this, [this] { emit add_wanted(advice().add); });
+    connect(advised_, &QPushButton::clicked, this, [this] { emit add_wanted(advice_.add); });
     column->addWidget(advised_, 0, Qt::AlignLeft);
     verify_ = new QPushButton(icon(Icon::verify), tr("Verify"), page);
     verify_->setObjectName(QStringLiteral("verify_button"));
@@ -203,6 +203,7 @@ void VerificationPanel::show_verdict() {
     Icon which = Icon::information;
     QColor color = palette().color(QPalette::WindowText);
     QString line = verdict_text(verdict), note;
+    advice_ = advice();
     switch (verdict) {
     case Verdict::none:
         note = document_.operation_count() > 0 ? tr(
@@ -226,7 +227,7 @@ void VerificationPanel::show_verdict() {
         line = model_.subject_text().isEmpty()
                    ? tr("Failed: %1").arg(model_.failure_text())
                    : tr("Failed: %1: %2").arg(model_.subject_text(), model_.failure_text());
-        note = advice().text;
+        note = advice_.text;
         break;
     case Verdict::not_judged:
         which = Icon::verify_stale;
@@ -255,7 +256,7 @@ void VerificationPanel::show_verdict() {
     verdict_->setPalette(colored);
     note_->setText(note);
     note_->setVisible(!note.isEmpty());
-    show_advised(*advised_, advised_button(advice()));
+    show_advised(*advised_, advised_button(advice_));
     verify_->setVisible(verdict == Verdict::none || verdict == Verdict::stale);
     verify_->setText(verdict == Verdict::stale ? tr("Verify again") : tr("Verify"));
     verify_all_->setVisible(setup_count(document_.project()) > 1

@@ -63,6 +63,7 @@ private:
     Document& document_;
     VerificationModel& model_;
     DeviationScale scale_;
+    VerdictAdvice advice_; ///< as the panel shows it
     QTimer rest_timer_;
     bool figures_shown_ = false; ///< since the last refresh
     QLabel *icon_ = nullptr, *verdict_ = nullptr, *note_ = nullptr, *figures_ = nullptr,
