@@ -275,12 +275,21 @@ void PlaceController::lay_chosen() {
         },
         [this, smaller] {
             if (*smaller < worth_squaring) return;
-            messages_.information(tr("The part lies across its stock: squared up, the block about it is %1 % "
-                                     "smaller.")
-                                      .arg(number_text(100 * *smaller, 2)));
+            square_said_ = tr("The part lies across its stock: squared up, the block about it is %1 % "
+                              "smaller.")
+                               .arg(number_text(100 * *smaller, 2));
+            said_of_ = placement_of(document_.project().placed_part());
+            messages_.information(square_said_);
             messages_.offer(
                 {tr("Square up"), [this] { steps_->turn(tr("Square up part"), turn_to_square); }});
         });
+}
+
+void PlaceController::project_changed() {
+    // Laid another way, by whatever, the part is no longer what was said of it.
+    const bool moved = placement_of(document_.project().placed_part()) != said_of_;
+    if (moved && !square_said_.isEmpty() && messages_.bar().message() == square_said_) messages_.dismiss();
+    refresh();
 }
 
 void PlaceController::pick(PlacePick what) {

@@ -38,7 +38,7 @@ public:
     void zero_at(const PartPick& pick);
 
     void project_opened() override;
-    void project_changed() override { refresh(); }
+    void project_changed() override;
     void part_changed() override;
     void panel_seen(bool seen) override;
     bool take_key(const QKeyEvent& event) override;
@@ -74,6 +74,8 @@ private:
     std::vector<LyingFace> faces_;
     PlacePick picking_ = PlacePick::none;
     std::vector<Vec3> points_;     ///< picked so far
+    QString square_said_;          ///< in the bar, of a part that lies so:
+    Placement said_of_;
     Box3 box_;                     ///< of the part that the view was fitted to
     BackgroundJob job_, hole_job_; // last: they end first
 };

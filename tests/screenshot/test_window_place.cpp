@@ -195,8 +195,11 @@ private slots:
                  qPrintable(w().message_bar().message()));
         QCOMPARE(w().document().undo_stack().count(), 1);
         QCOMPARE(w().document().undo_stack().undoText(), QStringLiteral("Lay part on face"));
+        // That goes with it, by whatever button it is squared up.
         press("place_square");
         QVERIFY(lies(Vec3(60, 40, 20)));
+        QVERIFY2(!w().message_bar().message().contains(QStringLiteral("across its stock")),
+                 qPrintable(w().message_bar().message()));
         shot(w(), QStringLiteral("place-laid"));
         // The list is that of the part as it lies now.
         QCOMPARE(list()->topLevelItem(0)->text(ui::PlacePanel::height_column), QStringLiteral("20"));
