@@ -32,4 +32,8 @@ void add_markers(OverlayContent& content, std::vector<CSpaceMarker> markers,
 /// Notes without a panel that spots or panels lie on go: half a number says something else.
 void leave_out_covered(OverlayContent& content, const std::function<double(const std::string&)>& name_width);
 
+/// Its letters and those of a note that the content has meet. Widths as above.
+bool lies_on_another(const OverlayContent& content, const OverlayNote& note,
+                     const std::function<double(const std::string&)>& name_width);
+
 } // namespace facetmill

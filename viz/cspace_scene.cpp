@@ -226,6 +226,27 @@ struct CSpaceScene::Impl {
 
     CSpaceAxes axes() const { return cspace_axes(*display, camera_frame(), unit); }
 
+    /// Where it would be cut by the left or right border it comes in, and farther out along its axis where
+    /// numbers are in the way.
+    void add_axis_name(OverlayContent& c, OverlayNote name, const Vec2& route) {
+        const auto width = [&](const std::string& text) { return overlay->note_width(text, true); };
+        const double half = 0.5 * width(name.text) + 0.5 * grid_margin, wide = c.width / ratio;
+        const double x =
+            std::clamp(name.at.x(), std::min(half, 0.5 * wide), std::max(wide - half, 0.5 * wide));
+        if (x != name.at.x()) {
+            constexpr double row = 6;
+            for (int k = 0; k < 6; ++k) {
+                OverlayNote moved = name;
+                moved.at = {x, name.at.y() + (route.y() < 0 ? -k : k) * row};
+                if (lies_on_another(c, moved, width) || moved.at.y() > c.height / ratio - grid_margin)
+                    continue;
+                name = moved;
+                break;
+            }
+        }
+        c.notes.push_back(std::move(name));
+    }
+
     void add_axis_notes(OverlayContent& c) {
         const CSpaceAxes a = axes();
         const auto shown = [&](const Vec3& p) { return Vec2(display_of(p) / ratio); };
@@ -244,7 +265,7 @@ struct CSpaceScene::Impl {
             }
             if (small() && names_fit()) continue; // postures have theirs there
             const double aside = 0.5 * overlay->note_width(axis->name, true) * std::abs(route.x()) + 28;
-            c.notes.push_back({shown(axis->middle) + aside * route, 0, axis->name, true, false});
+            add_axis_name(c, {shown(axis->middle) + aside * route, 0, axis->name, true, false}, route);
         }
         Vec2 last(-1e9, -1e9);
         for (const CSpaceTick& t : a.delta.ticks) {

@@ -120,6 +120,9 @@ class TestCSpaceScene : public QObject {
             const double w = 6.2 * double(n.text.size()); // about what its letters take
             const double x = n.at.x() - (n.end < 0 ? 0 : n.end > 0 ? w : w / 2);
             boxes.push_back({x, n.at.y() - 5, x + w, n.at.y() + 5, n.text, n.bold});
+            const bool of_axis = n.bold && !n.framed && n.end == 0 && n.text != "No posture is free here";
+            if (of_axis && width > 350 && !(boxes.back().x0 > 0 && boxes.back().x1 < width))
+                QTest::qFail(("cut by the border: " + n.text).c_str(), __FILE__, __LINE__);
             if (n.bold) continue;
             ++numbers;
             const Box& b = boxes.back();
