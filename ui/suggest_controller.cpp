@@ -8,6 +8,7 @@
 #include "ui/worded.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace facetmill::ui {
 
@@ -69,10 +70,18 @@ QString roughing_words(const Suggestions& all, const Project& project) {
     const std::optional<Tool>& own = all.rough->tool;
     const Tool& tool = own ? *own : project.tool_of(*all.rough->operation);
     return SuggestController::tr("%1 goes before it, with %2: the stock stands up to %3 above the part, and "
-                                 "the tool comes %4 deep into it")
+                                 "the finishing tool comes %4 deep into it")
         .arg(text(first_name_of("rough")), text(tool.name),
              shown_length(all.unroughed.highest, project.unit, 3),
              shown_length(all.unroughed.reach, project.unit, 3));
+}
+
+/// Of a processor: whoever adds it should know before.
+constexpr double long_planning = 60;
+
+/// In whole minutes: more is not known of it.
+double rough_duration(double seconds) {
+    return 60 * std::round(seconds / 60);
 }
 
 QStringList reasons_of(const Suggestions& all, std::size_t i) {
@@ -96,6 +105,9 @@ QStringList reasons_of(const Suggestions& all, std::size_t i) {
             reasons << SuggestController::tr("Takes %1 times as long as the quickest")
                            .arg(number_text(s.seconds / least, 3));
     }
+    if (s.previewed && s.planning_seconds >= long_planning)
+        reasons << SuggestController::tr("Planning and verifying it takes about %1")
+                       .arg(duration_text(rough_duration(s.planning_seconds)));
     if (!s.result.passed && s.previewed)
         reasons << SuggestController::tr("Leaves about %1 % of what the tool sees of the part uncut")
                        .arg(share_words(s.result.measures[Measure::uncut_share].value_or(0)));

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace facetmill {
@@ -96,9 +95,8 @@ public:
         std::set<const Operation*> fit;
         double wait = roughing_wait();
         for (const Suggestion& s : found) {
-            const double more = planning_.at(s.operation.get());
-            if (wait + more > longest_wait) continue;
-            wait += more;
+            if (wait + s.planning_seconds > longest_wait) continue;
+            wait += s.planning_seconds;
             fit.insert(s.operation.get());
         }
         if (fit.size() == found.size() || fit.size() >= fewest_judged)
@@ -146,7 +144,7 @@ private:
                 s.previewed = true;
                 s.seconds = preview.seconds;
                 s.result.measures[Measure::uncut_share] = preview.uncut_share;
-                planning_[all[i].get()] = preview.planning_seconds;
+                s.planning_seconds = preview.planning_seconds;
                 least = std::min(least, preview.uncut_share);
                 found.push_back(std::move(s));
             } catch (const Error& e) {
@@ -264,7 +262,6 @@ private:
     const PreparedPart& part_;
     Project rough_;
     double before_ = 0;                           ///< seconds that roughing takes
-    std::map<const Operation*, double> planning_; ///< what planning and judging them takes, s
     Suggestions made_;
 };
 

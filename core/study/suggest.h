@@ -29,6 +29,8 @@ struct Suggestion {
     /// `uncut_share` and whether it leaves no more than others do.
     RungResult result;
     bool previewed = false; ///< neither planned nor judged
+    /// Of a processor, about: what planning and judging it takes, by its preview.
+    double planning_seconds = 0;
 };
 
 /// What is known of the part that candidates were asked for.

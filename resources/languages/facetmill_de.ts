@@ -10915,8 +10915,8 @@
         <translation>%1 von %2 bis %3</translation>
     </message>
     <message>
-        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the tool comes %4 deep into it</source>
-        <translation>%1 geht voraus, mit %2: das Rohteil steht bis zu %3 über dem Teil, und das Werkzeug kommt %4 tief hinein</translation>
+        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the finishing tool comes %4 deep into it</source>
+        <translation>%1 geht voraus, mit %2: das Rohteil steht bis zu %3 über dem Teil, und das Schlichtwerkzeug kommt %4 tief hinein</translation>
     </message>
     <message>
         <source>%1 h left</source>
@@ -14265,6 +14265,10 @@ auf, %1</translation>
     <message>
         <source>Planning and judging operations for this part: %1</source>
         <translation>Operationen für dieses Teil werden geplant und beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>Planning and verifying it takes about %1</source>
+        <translation>Planen und Prüfen brauchen etwa %1</translation>
     </message>
     <message>
         <source>Planning it takes %1.</source>

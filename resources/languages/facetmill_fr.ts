@@ -10915,8 +10915,8 @@
         <translation>%1 de %2 à %3</translation>
     </message>
     <message>
-        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the tool comes %4 deep into it</source>
-        <translation>%1 la précède, avec %2 : le brut dépasse la pièce de %3 au plus, et l'outil y entre de %4</translation>
+        <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the finishing tool comes %4 deep into it</source>
+        <translation>%1 la précède, avec %2 : le brut dépasse la pièce de %3 au plus, et l'outil de finition y entre de %4</translation>
     </message>
     <message>
         <source>%1 h left</source>
@@ -14263,6 +14263,10 @@
     <message>
         <source>Planning and judging operations for this part: %1</source>
         <translation>Des opérations pour cette pièce sont planifiées et jugées : %1</translation>
+    </message>
+    <message>
+        <source>Planning and verifying it takes about %1</source>
+        <translation>La planifier et la vérifier demande environ %1</translation>
     </message>
     <message>
         <source>Planning it takes %1.</source>

@@ -109,6 +109,7 @@ private slots:
         QCOMPARE(found.looked_at, planned.looked_at);
         for (const Suggestion& s : found.best) {
             QVERIFY(s.previewed && s.result.passed && s.seconds > 0);
+            QVERIFY(s.planning_seconds > 1); // others together are no 15 s
             QVERIFY(!s.result.measures[Measure::excess_p99].has_value());
             QVERIFY(s.seconds >= found.best.front().seconds);
             // Levels leave what is nearly level.
