@@ -130,10 +130,11 @@ void Controllers::connect_document(const Document& document) {
 void Controllers::connect_messages(const Document& document, Messages& messages) {
     connect(&document, &Document::tool_added, this, [this, &messages](const Tool& tool) {
         added_tool_ = tool.number;
-        tool_said_ = tr("The list had no tool small enough for this operation: T%1 %2 was added to it. "
-                        "Change it to one that you have.")
-                         .arg(tool.number)
-                         .arg(text(tool.name));
+        tool_said_ =
+            tr("The list had no tool for this operation: T%1 %2 was added to it. Change it to one that "
+               "you have.")
+                .arg(tool.number)
+                .arg(text(tool.name));
         messages.information(tool_said_);
     });
     const auto take_back = [this, &messages] {

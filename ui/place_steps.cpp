@@ -1,9 +1,10 @@
 #include "ui/place_steps.h"
 
-#include "core/job/usual_shank.h"
+#include "core/job/usual_tools.h"
 #include "core/setup/lying.h"
 #include "ui/messages.h"
 #include "ui/text.h"
+#include "ui/tool_list.h"
 #include "ui/viewport.h"
 
 #include <Eigen/Geometry>
@@ -50,7 +51,7 @@ void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then)
         return messages_.information(tr("The part is still being turned. Do that again when it stands."));
     struct Laid {
         Placement placement;
-        double height;
+        Vec3 size;
     };
     auto after = std::make_shared<std::optional<Laid>>();
     const std::size_t setup = chosen_setup(document_.project());
@@ -60,7 +61,7 @@ void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then)
          before = placement_of(document_.project().placed_part())](const Progress& progress) {
             if (const auto by = turn(*part->mesh, progress))
                 *after = Laid{laid(before, *part->mesh, *by, progress),
-                              turned_box(*part->mesh, *by, progress).size().z()};
+                              turned_box(*part->mesh, *by, progress).size()};
         },
         // Weak: the last one to hold a large part must not be the window.
         [this, what, after, setup, then = std::move(then),
@@ -70,7 +71,7 @@ void PlaceSteps::lay(const QString& what, Turn turn, std::function<void()> then)
                 || chosen_setup(document_.project()) != setup)
                 return;
             if (!end.done()) return messages_.warning(sentence(end.message));
-            if (*after && change(what, (*after)->placement, (*after)->height) && then) then();
+            if (*after && change(what, (*after)->placement, (*after)->size) && then) then();
         });
 }
 
@@ -87,7 +88,7 @@ void PlaceSteps::mirror(int axis) {
         const Box3& box = part()->box;
         change(tr("Mirror part in %1").arg(QChar(u'X' + char16_t(axis))),
                mirrored(placement_of(document_.project().placed_part()), axis, box.center()[axis]),
-               box.size().z());
+               box.size());
     });
 }
 
@@ -95,8 +96,7 @@ void PlaceSteps::drop_to_zero() {
     when_it_stands([this] {
         const Box3& box = part()->box;
         change(tr("Drop part to Z 0"),
-               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -box.lo.z())),
-               box.size().z());
+               moved(placement_of(document_.project().placed_part()), Vec3(0, 0, -box.lo.z())), box.size());
     });
 }
 
@@ -106,7 +106,7 @@ void PlaceSteps::centre() {
         const Vec3 middle = box.center();
         change(tr("Centre part"),
                moved(placement_of(document_.project().placed_part()), Vec3(-middle.x(), -middle.y(), 0)),
-               box.size().z());
+               box.size());
     });
 }
 
@@ -132,11 +132,11 @@ bool PlaceSteps::apply(PlaceChange what, int axis, double value) {
     const QChar letter(u'X' + char16_t(axis));
     if (what == PlaceChange::move)
         return change(tr("Move part along %1").arg(letter), moved(now, value * Vec3::Unit(axis)),
-                      p->box.size().z());
+                      p->box.size());
     const Box3& box = p->box;
     const Mat3 turn = motion(box, what, axis, value).first;
     return change(tr("Turn part about %1").arg(letter), turned(now, turn, box.center()),
-                  turned_box(*p->mesh, turn).size().z());
+                  turned_box(*p->mesh, turn).size());
 }
 
 bool PlaceSteps::scale(double factor) {
@@ -146,7 +146,7 @@ bool PlaceSteps::scale(double factor) {
     const Vec3 t(now.translate[0], now.translate[1], now.translate[2]);
     const Vec3 kept(box.center().x(), box.center().y(), box.lo.z());
     const Vec3 by = kept - (factor * (kept - t) + t);
-    if (!change(tr("Scale part by %1").arg(number_text(factor, 6)), moved(now, by), factor * box.size().z(),
+    if (!change(tr("Scale part by %1").arg(number_text(factor, 6)), moved(now, by), factor * box.size(),
                 factor))
         return false;
     const Vec3 size = factor * box.size();
@@ -162,18 +162,21 @@ void PlaceSteps::tell(const Error& e) {
     messages_.warning(failure_text(e) + QChar('.'));
 }
 
-bool PlaceSteps::change(const QString& what, const Placement& placement, double height, double factor) {
+bool PlaceSteps::change(const QString& what, const Placement& placement, const Vec3& size, double factor) {
     if (factor == 1 && placement == placement_of(document_.project().placed_part())) {
         messages_.information(tr("The part lies so already."));
         return false;
     }
     viewport_.scene().marks().set_marker(std::nullopt);
-    const double before = part()->box.size().z();
+    const Vec3 before = part()->box.size();
     try {
         document_.change(what, [&](Project& p) {
             lay_part(p, placement);
             p.part.scale *= factor;
-            follow_part_height(p, before, height);
+            if (factor == 1)
+                follow_part_size(p, before, size, spoken_tool_names());
+            else
+                follow_part_height(p, before.z(), size.z());
             // Numbers that no file can hold are refused.
             ParameterView<PartSpec> part(p.part, part_parameters());
             ParameterView<SetupPlace> place(p.place, place_parameters());

@@ -57,8 +57,8 @@ private:
     void when_it_stands(std::function<void()> step);
     void go_on();
     bool scale(double factor);
-    /// `height` (mm): of the part as it then stands; `factor`: it is so many times as large.
-    bool change(const QString& what, const Placement& placement, double height, double factor = 1);
+    /// `size` (mm): of the part as it then stands; `factor`: it is so many times as large.
+    bool change(const QString& what, const Placement& placement, const Vec3& size, double factor = 1);
     void tell(const Error& error);
 
     Document& document_;

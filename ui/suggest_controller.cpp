@@ -76,7 +76,7 @@ QString roughing_words(const Suggestions& all, const Project& project) {
              shown_length(all.unroughed.reach, project.unit, 3));
 }
 
-/// Of a processor: whoever adds it should know before.
+/// Longer than that takes a word before it is added; seconds of a processor.
 constexpr double long_planning = 60;
 
 /// In whole minutes: more is not known of it.

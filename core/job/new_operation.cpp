@@ -3,6 +3,7 @@
 #include "core/base/usual_value.h"
 #include "core/job/asked_operations.h"
 #include "core/job/cutting_choice.h"
+#include "core/job/usual_tools.h"
 #include "core/setup/tool_edit.h"
 
 #include <algorithm>
@@ -110,12 +111,14 @@ private:
     }
 
     void rough() {
+        const bool turns = made_.operation->turning();
         const Tool* tool = largest(has_flat);
-        if (!tool) tool = largest([](const Tool& t) { return t.taper_angle >= 0; });
-        if (!tool) tool = &project_.tools.front();
+        if (!tool && turns) tool = largest([](const Tool& t) { return t.taper_angle >= 0; });
+        if (!tool && turns) tool = &project_.tools.front();
+        if (!tool) tool = &made_.tool.emplace(usual_roughing_tool(project_));
         common().tool = tool->number;
         common().tolerance = rounded(std::min(max_rough_tolerance, rough_share * tool->diameter));
-        const double depth = rounded(depth_share * tool->diameter),
+        const double depth = rounded(std::min(depth_share * tool->diameter, tool->flute_length)),
                      left = rounded(left_share * tool->diameter);
         if (made_.operation->turning()) {
             made_.operation->set("depth_of_cut", depth);
@@ -155,11 +158,13 @@ private:
             return;
         }
         made_.operation->set("previous_tool", previous->number);
-        // It comes in where the other one does not.
+        // It comes in where the other one does not: what is as wide as a ball does on floors alone.
+        const bool on_floors = has_flat(*previous);
         const Tool* tool = largest([&](const Tool& t) {
             return t.taper_angle >= 0 && t.diameter <= previous->diameter
                    && t.corner_radius <= previous->corner_radius
-                   && (t.diameter < previous->diameter || t.corner_radius < previous->corner_radius);
+                   && (t.diameter < previous->diameter
+                       || (on_floors && t.corner_radius < previous->corner_radius));
         });
         if (!tool) made_.tool = half_of(*previous);
         common().tool = tool ? tool->number : made_.tool->number;

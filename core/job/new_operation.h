@@ -18,9 +18,10 @@ struct NewOperation {
 
 /// Like the last operation of its kind, but for lists that were made by hand; of another kind: feeds and
 /// clearance of its neighbour (feeds as its tool says where that is another one), and tool, tolerance and
-/// depth as its purpose asks for. Roughing takes the largest tool with a flat to its end and layers of a
-/// quarter of its diameter; clean-up the next smaller one than finishing before it has, or a new one of half
-/// that. Throws Error(out_of_range) for an unknown kind.
+/// depth as its purpose asks for. Roughing takes the largest tool with a flat to its end, or a new one
+/// where the list has none (usual_roughing_tool; turning, the largest), and layers of a quarter of its
+/// diameter, no deeper than its flutes; clean-up the next smaller one than finishing before it has, or a new
+/// one of half that. Throws Error(out_of_range) for an unknown kind.
 NewOperation new_operation(std::string_view kind, const Project& project);
 
 } // namespace facetmill

@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/usual_value.h"
 #include "core/job/project_inputs.h"
-#include "core/job/usual_shank.h"
+#include "core/job/usual_tools.h"
 #include "core/mesh/mesh_format.h"
 #include "core/output/post/post.h"
 #include "core/strategy/plan/shared_parameters.h"
@@ -499,16 +499,6 @@ void apply_setting(Project& project, std::string_view setting) {
 
 namespace {
 
-/// A diameter one can buy, not above `target`; a round number where there is none so small.
-double usual_diameter(double target, LengthUnit unit) {
-    static const std::vector<double> mm = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25};
-    static const std::vector<double> inch = {1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8,
-                                             1.0 / 2,  5.0 / 8, 3.0 / 4,  1};
-    const auto& sizes = unit == LengthUnit::inch ? inch : mm;
-    const auto above = std::upper_bound(sizes.begin(), sizes.end(), target * (1 + 1e-9));
-    return above == sizes.begin() ? round_down(target) : *std::prev(above);
-}
-
 /// As near to `v` as the parameter allows.
 double allowed(double v, const ParameterInfo& info) {
     return std::clamp(v, info.minimum, info.maximum);
@@ -523,11 +513,8 @@ double starting_feed(LengthUnit unit) {
 Project default_project(const fs::path& part_file, LengthUnit part_unit, const Box3& part_box) {
     const LengthUnit unit = project_unit(part_unit);
     const double per = mm_per(unit);
-    // A flat part of no width still gets a tool.
-    const Vec3 size = part_box.size() / per;
-    const double diagonal = std::max(size.norm(), 1e-3);
-    const double width = std::max(std::min(size.x(), size.y()), diagonal / 20);
-    const double diameter = usual_diameter(width / 8, unit);
+    const Vec3 size = part_box.size();
+    const double diagonal = std::max(size.norm() / per, 1e-3);
 
     Project p;
     p.unit = unit;
@@ -536,13 +523,7 @@ Project default_project(const fs::path& part_file, LengthUnit part_unit, const B
     const double margin = allowed(round_down(diagonal / 40) * per, stock_parameters().find("margin")->info);
     p.stock.margin = {margin, margin, margin};
 
-    Tool tool;
-    tool.number = 1;
-    tool.diameter = tool.shank_diameter = diameter * per;
-    tool.corner_radius = tool.diameter / 2;
-    tool.flute_length = 3 * tool.diameter;
-    tool.shank_length = usual_shank_length(tool, part_box.size().z(), unit);
-    tool.name = "Ball " + format_number(diameter);
+    const Tool tool = usual_finishing_tool(size, unit);
     p.tools.push_back(tool);
 
     auto operation = make_operation("finish3");
@@ -550,7 +531,7 @@ Project default_project(const fs::path& part_file, LengthUnit part_unit, const B
     OperationCommon& common = operation->common();
     common.name = "Finish";
     common.tool = tool.number;
-    common.tolerance = round_down(std::min(diagonal / 4000, diameter / 100)) * per;
+    common.tolerance = usual_tolerance(tool, size, unit);
     common.feed = starting_feed(unit);
     common.spindle = 6000;
     // Less than that is no clearance for the hand that sets the zero.

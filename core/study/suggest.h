@@ -29,7 +29,7 @@ struct Suggestion {
     /// `uncut_share` and whether it leaves no more than others do.
     RungResult result;
     bool previewed = false; ///< neither planned nor judged
-    /// Of a processor, about: what planning and judging it takes, by its preview.
+    /// What planning and judging it takes of a processor, about, by its preview.
     double planning_seconds = 0;
 };
 

@@ -15238,8 +15238,8 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Die Bibliothek hat keine Halter</translation>
     </message>
     <message>
-        <source>The list had no tool small enough for this operation: T%1 %2 was added to it. Change it to one that you have.</source>
-        <translation>In der Liste war kein Werkzeug klein genug für diese Operation: T%1 %2 wurde hinzugefügt. In eines ändern, das vorhanden ist.</translation>
+        <source>The list had no tool for this operation: T%1 %2 was added to it. Change it to one that you have.</source>
+        <translation>In der Liste war kein Werkzeug für diese Operation: T%1 %2 wurde hinzugefügt. In eines ändern, das vorhanden ist.</translation>
     </message>
     <message>
         <source>The machine “%1” has no rotary axis</source>

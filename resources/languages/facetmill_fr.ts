@@ -15236,8 +15236,8 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>La bibliothèque n'a pas de porte-outils</translation>
     </message>
     <message>
-        <source>The list had no tool small enough for this operation: T%1 %2 was added to it. Change it to one that you have.</source>
-        <translation>La liste n'avait pas d'outil assez petit pour cette opération : T%1 %2 y a été ajouté. Le remplacer par un outil disponible.</translation>
+        <source>The list had no tool for this operation: T%1 %2 was added to it. Change it to one that you have.</source>
+        <translation>La liste n'avait pas d'outil pour cette opération : T%1 %2 y a été ajouté. Le remplacer par un outil disponible.</translation>
     </message>
     <message>
         <source>The machine “%1” has no rotary axis</source>

@@ -232,7 +232,8 @@ private slots:
         list()->setCurrentItem(list()->topLevelItem(0));
         press("place_lay");
         QVERIFY(lies(Vec3(60, 40, 20), false));
-        QCOMPARE(shank(), 21.0); // the file's numbers are rounded, and a hair more than 20 is more
+        QCOMPARE(w().document().project().tools.front().diameter, 6.0);
+        QCOMPARE(shank(), 24.0); // four times that; past the part would be 21
         // One step, which undo takes back whole.
         action(w(), "undo")->trigger();
         QVERIFY(wait_until_settled(w()));

@@ -63,12 +63,26 @@ private slots:
         QCOMPARE(c.clearance, 7.0);
     }
 
-    void a_list_of_balls_roughs_with_the_largest() {
-        const Project p = project_with({listed_tool(1, 3, 1.5), listed_tool(2, 4, 2)});
-        const NewOperation made = new_operation("rough", p);
-        QCOMPARE(made.operation->common().tool, 2L);
-        QCOMPARE(made.operation->common().tolerance, 0.2); // a tenth of 4 is 0.4
-        QCOMPARE(number_of(*made.operation, "depth"), 1.0);
+    void where_the_list_has_balls_alone_roughing_brings_a_flat() {
+        Project p = project_with({listed_tool(1, 3, 1.5), listed_tool(2, 4, 2)});
+        NewOperation made = new_operation("rough", p);
+        QVERIFY(made.tool.has_value());
+        QCOMPARE(made.tool->name, std::string("Flat 8"));
+        QCOMPARE(made.tool->number, 3L);
+        QCOMPARE(made.operation->common().tool, 3L);
+        QCOMPARE(made.operation->common().tolerance, 0.5);
+        QCOMPARE(number_of(*made.operation, "depth"), 2.0);
+        insert(p, std::move(made));
+        check_project(p);
+        QVERIFY(!new_operation("rough", p).tool);
+        // What turns a part cuts with whatever there is.
+        QVERIFY(!new_operation("lathe_rough", project_with({listed_tool(1, 3, 1.5)})).tool);
+    }
+
+    void layers_are_no_deeper_than_flutes() {
+        Project p = project_with({listed_tool(1, 12, 0)});
+        p.tools.front().flute_length = 1;
+        QCOMPARE(number_of(*new_operation("rough", p).operation, "depth"), 1.0);
     }
 
     void clean_up_comes_last_with_the_next_smaller_tool() {
@@ -95,6 +109,19 @@ private slots:
         QCOMPARE(made.operation->common().tool, 3L);
         insert(p, std::move(made));
         check_project(p);
+    }
+
+    /// As the flat is that roughing brings where the ball is as large as spindles hold.
+    void a_flat_as_wide_as_the_ball_cleans_nothing_up() {
+        const NewOperation made =
+            new_operation("cleanup", project_with({listed_tool(1, 20, 10), listed_tool(2, 20, 0)}));
+        QVERIFY(made.tool.has_value());
+        QCOMPARE(made.tool->diameter, 10.0);
+        // Into the corner of a floor it does come where one with round corners was.
+        QCOMPARE(new_operation("cleanup", project_with({listed_tool(1, 20, 2), listed_tool(2, 20, 0)}))
+                     .operation->common()
+                     .tool,
+                 2L);
     }
 
     /// Pencil goes over the valleys that the finishing tool itself leaves.

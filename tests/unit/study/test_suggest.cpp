@@ -128,6 +128,8 @@ private slots:
         QCOMPARE(std::string(found.rough->operation->kind()), std::string("rough"));
         QVERIFY(found.unroughed.highest > found.unroughed.reach && found.unroughed.share > 0.02);
         QCOMPARE(found.best.size(), std::size_t(3));
+        QVERIFY(found.rough->tool);
+        job.project.tools.push_back(*found.rough->tool);
         job.project.operations.push_back(new_operation("rough", job.project).operation);
         QVERIFY(!suggest(job.project, *job.part, Progress()).rough);
     }
