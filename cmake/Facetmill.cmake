@@ -313,8 +313,9 @@ function(facetmill_test name)
     endforeach()
     if(TEST ${name}_checked)
         # Freed memory is looked after until 32 MB more were freed, not 256: fetching other memory meanwhile took a quarter of the time.
+        # Four calls of where memory came from are kept, not thirty: a sixth of the time.
         set_tests_properties(${name}_checked PROPERTIES LABELS checked)
-        set_property(TEST ${name}_checked APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=quarantine_size_mb=32)
+        set_property(TEST ${name}_checked APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=quarantine_size_mb=32:malloc_context_size=4)
     endif()
     if(ARG_ALL_CASES)
         add_test(NAME ${name}_all_cases COMMAND ${FACETMILL_NICE} $<TARGET_FILE:${name}>)
