@@ -65,7 +65,7 @@ private slots:
         PointerRest rest{[&](const QPointF& at) { told << at; }};
         rest.moved({1, 1});
         rest.moved({2, 2});
-        QTRY_COMPARE(told, QList<QPointF>{QPointF(2, 2)});
+        QTRY_COMPARE_WITH_TIMEOUT(told, QList<QPointF>{QPointF(2, 2)}, facetmill::test::patience_ms);
         rest.moved({3, 3});
         rest.stop();
         QTest::qWait(150);

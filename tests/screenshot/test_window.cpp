@@ -220,7 +220,7 @@ private slots:
         since.start();
         heart.start(5);
         QTest::qWait(400);
-        QTRY_VERIFY_WITH_TIMEOUT(beats > 3, 60000); // the window lives, on a busy machine too
+        QTRY_VERIFY_WITH_TIMEOUT(beats > 3, patience_ms); // the window lives, on a busy machine too
         heart.stop();
         QVERIFY(w().job().running());
         shot(w(), QStringLiteral("window-planning"));
@@ -384,7 +384,8 @@ private slots:
 
         // A new tool gets a free number, and not one that is taken.
         w().tree().add_tool_action()->trigger();
-        QTRY_VERIFY(w().findChild<ui::ToolDialog*>() && w().findChild<ui::ToolDialog*>() != dialog);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            w().findChild<ui::ToolDialog*>() && w().findChild<ui::ToolDialog*>() != dialog, patience_ms);
         dialog = w().findChild<ui::ToolDialog*>();
         QCOMPARE(dialog->tool().number, 2L);
         form = dialog->findChild<ui::ParameterForm*>();
@@ -449,7 +450,7 @@ private slots:
                                            QEvent::DeferredDelete); // the new one may lie where it lay
         QVERIFY(!w().findChild<ui::ToolDialog*>());
         w().tree().add_tool_action()->trigger();
-        QTRY_VERIFY(w().findChild<ui::ToolDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(w().findChild<ui::ToolDialog*>(), patience_ms);
         QVERIFY(w().findChild<ui::ToolDialog*>()->tool().cutting.empty());
         w().findChild<ui::ToolDialog*>()->reject();
         w().tree().select({TreeNode::Kind::stock, 0});

@@ -89,7 +89,7 @@ private slots:
         const auto watch = [&] {
             QElapsedTimer timer;
             timer.start();
-            for (int idle = 0; idle < 5 && timer.elapsed() < 60000; idle = w().busy() ? 0 : idle + 1) {
+            for (int idle = 0; idle < 5 && timer.elapsed() < patience_ms; idle = w().busy() ? 0 : idle + 1) {
                 QTest::qWait(2);
                 said.insert(w().viewport().scene().shown_empty_text());
             }

@@ -211,7 +211,7 @@ private slots:
         w().files().autosave().set_interval(std::chrono::milliseconds(50));
         set_tolerance(0.025);
         QCOMPARE(bytes_of(kept), bytes);
-        QTRY_VERIFY(bytes_of(kept) != bytes);
+        QTRY_VERIFY_WITH_TIMEOUT(bytes_of(kept) != bytes, patience_ms);
         QCOMPARE(kept_beside(folder_).size(), 1);
     }
 
@@ -350,12 +350,12 @@ private slots:
         StandingDisk disk;
         w().files().autosave().keep();
         action(w(), "save")->trigger();
-        QTRY_COMPARE(StandingDisk::waiting(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(StandingDisk::waiting(), 1, patience_ms);
         // It takes what is typed, and says what it waits for, and that nothing is saved yet.
         enter(w(), "tolerance", QStringLiteral("0.025"));
         QCOMPARE(tolerance(), 0.025);
-        QTRY_VERIFY2(w().message_bar().message().contains(QStringLiteral("Saving")),
-                     qPrintable(w().message_bar().message()));
+        QTRY_VERIFY2_WITH_TIMEOUT(w().message_bar().message().contains(QStringLiteral("Saving")),
+                                  qPrintable(w().message_bar().message()), patience_ms);
         QVERIFY(saving.busy() && w().document().modified() && w().windowTitle().contains(QChar('*')));
         QCOMPARE(saved(), saved_tolerance);
         // Saved again: the later state is written later. Planning waits for what is kept.
@@ -365,7 +365,7 @@ private slots:
         QVERIFY(!QTest::qWaitFor([&] { return w().document().all_planned(); }, 200));
         QVERIFY(w().job().running() && saving.busy());
         disk.go_on();
-        QTRY_VERIFY(!saving.busy());
+        QTRY_VERIFY_WITH_TIMEOUT(!saving.busy(), patience_ms);
         QCOMPARE(saved(), 0.025);
         QCOMPARE(tolerance(), 0.035);
         QVERIFY(w().document().modified() && w().message_bar().message().isEmpty());
@@ -404,7 +404,7 @@ private slots:
         w().exports().save_picture(path("view.png"));
         w().inspection().save_picture(path("chart.png"));
         w().inspection().save_table(path("chart.csv"));
-        QTRY_COMPARE(StandingDisk::waiting(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(StandingDisk::waiting(), 1, patience_ms);
         QVERIFY(w().busy());
         const QString kept = ui::path_text(ui::own_template_folder() / "slow.fmtemplate");
         const QStringList files{kept, path("view.png"), path("chart.png"), path("chart.csv")};
@@ -420,7 +420,7 @@ private slots:
         // The tools that were kept, to be used elsewhere.
         StandingDisk again;
         library.export_to(path("library.json"));
-        QTRY_COMPARE(StandingDisk::waiting(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(StandingDisk::waiting(), 1, patience_ms);
         QVERIFY(!QFile::exists(path("library.json")));
         again.go_on();
         QVERIFY(wait_until_settled(w()));

@@ -87,7 +87,7 @@ private slots:
         // A key is a step as well.
         QTest::keyClick(bar()->slider(), Qt::Key_Right);
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY(std::abs(divide() - to - 1) < 1e-9);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(divide() - to - 1) < 1e-9, patience_ms);
         // Elsewhere it is gone.
         w().tree().select({TreeNode::Kind::operation, 0});
         QVERIFY(wait_until_settled(w()));

@@ -122,7 +122,7 @@ private slots:
         QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&w(), &drop);
         QVERIFY(drop.isAccepted());
-        QTRY_VERIFY(w().busy() || w().document().has_part());
+        QTRY_VERIFY_WITH_TIMEOUT(w().busy() || w().document().has_part(), patience_ms);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().has_part());
         QCOMPARE(ui::settings::recent_files().value(0), path);
@@ -139,7 +139,7 @@ private slots:
             QDropEvent dropping(at, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
             w().message_bar().dismiss();
             QApplication::sendEvent(&w(), &dropping);
-            QTRY_VERIFY(!w().message_bar().message().isEmpty());
+            QTRY_VERIFY_WITH_TIMEOUT(!w().message_bar().message().isEmpty(), patience_ms);
             QVERIFY(wait_until_settled(w()));
         };
         const QString folder = QFileInfo(path).path(), picture = folder + QStringLiteral("/photo.bmp");
@@ -331,27 +331,27 @@ private slots:
         QVERIFY(plan());
         QSignalSpy states(&w().document(), &ui::Document::states_changed);
         QVERIFY(write("own.json", machine + "\n"));
-        QTRY_VERIFY(states.count() > 0); // the window hears of it by itself
+        QTRY_VERIFY_WITH_TIMEOUT(states.count() > 0, patience_ms); // the window hears of it by itself
         QCOMPARE(w().document().state(0), OperationState::stale);
         QVERIFY(plan());
 
         const QString part = ui::path_text(w().document().project().part_path());
         const std::size_t facets = w().document().part()->mesh->facets.size();
         save_stl(*make_sample("convex", 0.05, {}), part.toStdString(), LengthUnit::inch, {});
-        QTRY_VERIFY(w().document().part()->mesh->facets.size() != facets);
+        QTRY_VERIFY_WITH_TIMEOUT(w().document().part()->mesh->facets.size() != facets, patience_ms);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().part_is_current());
         QCOMPARE(w().document().state(0), OperationState::stale);
         QVERIFY(plan());
         // Gone: said, and what was read stays in sight.
         QVERIFY(QFile::rename(part, part + QStringLiteral(".away")));
-        QTRY_VERIFY(!w().message_bar().message().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!w().message_bar().message().isEmpty(), patience_ms);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().viewport().scene().has(Layer::part));
         QCOMPARE(w().document().state(0), OperationState::stale);
         // Back: as before.
         QVERIFY(QFile::rename(part + QStringLiteral(".away"), part));
-        QTRY_COMPARE(w().document().state(0), OperationState::planned);
+        QTRY_COMPARE_WITH_TIMEOUT(w().document().state(0), OperationState::planned, patience_ms);
     }
 
     void closing_asks_for_unsaved_changes() {

@@ -120,12 +120,13 @@ class TestWindowFirstJob : public QObject, private WindowFixture {
     template <class Dialog>
     Dialog* dialog() {
         Dialog* found = nullptr;
-        (void)QTest::qWaitFor([&] { return (found = w().findChild<Dialog*>()) && found->isVisible(); });
+        (void)QTest::qWaitFor([&] { return (found = w().findChild<Dialog*>()) && found->isVisible(); },
+                              patience_ms);
         return found;
     }
     /// A line of a menu that is open.
     void click_entry(QMenu* menu, const QString& words) {
-        QVERIFY(menu && QTest::qWaitFor([&] { return menu->isVisible(); }));
+        QVERIFY(menu && QTest::qWaitFor([&] { return menu->isVisible(); }, patience_ms));
         for (QAction* a : menu->actions())
             if (a->text().remove(QChar('&')) == words) {
                 QVERIFY2(a->isEnabled(), qPrintable(words));
@@ -186,7 +187,7 @@ class TestWindowFirstJob : public QObject, private WindowFixture {
     QStringList export_programs() {
         QLineEdit* into = nullptr;
         (void)QTest::qWaitFor(
-            [&] { return (into = w().findChild<QLineEdit*>(QStringLiteral("export_folder"))); });
+            [&] { return (into = w().findChild<QLineEdit*>(QStringLiteral("export_folder"))); }, patience_ms);
         if (!into) return {};
         type_over(into, folder_ + QStringLiteral("/programs"));
         QTest::mouseClick(into->window()->findChild<QPushButton*>(QStringLiteral("export")), Qt::LeftButton);
@@ -314,7 +315,8 @@ private slots:
             / view.devicePixelRatioF();
         QTest::mouseClick(&view, Qt::RightButton, {}, QPoint(int(p.x()), int(p.y())));
         QMenu* clicked = nullptr;
-        QTRY_VERIFY((clicked = w().findChild<QMenu*>(QStringLiteral("clicked_menu"))));
+        QTRY_VERIFY_WITH_TIMEOUT((clicked = w().findChild<QMenu*>(QStringLiteral("clicked_menu"))),
+                                 patience_ms);
         click_entry(clicked, QStringLiteral("Lay on this face"));
         QVERIFY(wait_until_settled(w()));
         const Box3 laid = w().document().part()->box;
@@ -344,7 +346,7 @@ private slots:
                           table->visualItemRect(table->item(0, 1)).center());
         QTest::mouseClick(library->findChild<QPushButton*>(QStringLiteral("add")), Qt::LeftButton);
         QTest::keyClick(library, Qt::Key_Escape);
-        QTRY_VERIFY(!w().findChild<ui::ToolLibraryDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<ui::ToolLibraryDialog*>(), patience_ms);
         QCOMPARE(w().document().project().tools.size(), std::size_t(3));
 
         w().tree().select({TreeNode::Kind::operation, 0});

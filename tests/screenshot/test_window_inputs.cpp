@@ -121,9 +121,9 @@ private slots:
         for (const char* name : {"surface.stl", "raw.stl", "own.json"})
             QVERIFY(QFile::rename(root + QStringLiteral("/elsewhere/") + QLatin1String(name),
                                   root + QStringLiteral("/job/") + QLatin1String(name)));
-        QTRY_VERIFY(w().document().part_is_current() && w().document().has_stock());
+        QTRY_VERIFY_WITH_TIMEOUT(w().document().part_is_current() && w().document().has_stock(), patience_ms);
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY2(said().isEmpty(), qPrintable(said()));
+        QTRY_VERIFY2_WITH_TIMEOUT(said().isEmpty(), qPrintable(said()), patience_ms);
     }
 
     /// One file after the other, where they lie apart; and what cannot be read is not taken.
@@ -174,16 +174,17 @@ private slots:
         QVERIFY(!saved.isEmpty() && plan());
         const QString part = root + QStringLiteral("/job/surface.stl"), away = part + QStringLiteral(".away");
         QVERIFY(QFile::rename(part, away));
-        QTRY_VERIFY2(says("surface.stl") && button().isVisible(), qPrintable(said()));
+        QTRY_VERIFY2_WITH_TIMEOUT(says("surface.stl") && button().isVisible(), qPrintable(said()),
+                                  patience_ms);
         QVERIFY(w().viewport().scene().has(Layer::part) && action(w(), "locate")->isEnabled());
         QVERIFY(QFile::rename(away, part));
-        QTRY_COMPARE(w().document().state(0), OperationState::planned);
-        QTRY_VERIFY(said().isEmpty() && !button().isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(w().document().state(0), OperationState::planned, patience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(said().isEmpty() && !button().isVisible(), patience_ms);
         QVERIFY(QFile::rename(part, away));
         open(saved);
         QVERIFY2(says("surface.stl") && !w().document().part(), qPrintable(said()));
         QVERIFY(QFile::rename(away, part));
-        QTRY_VERIFY(w().document().part_is_current());
+        QTRY_VERIFY_WITH_TIMEOUT(w().document().part_is_current(), patience_ms);
         QVERIFY(wait_until_settled(w()) && said().isEmpty());
     }
 
@@ -284,7 +285,7 @@ private slots:
         const std::size_t facets = w().document().part()->report.facets;
         save_stl(*make_sample("convex", 0.1, {}), (root + QStringLiteral("/job/surface.stl")).toStdString(),
                  LengthUnit::inch, {});
-        QTRY_VERIFY(w().document().part()->report.facets != facets);
+        QTRY_VERIFY_WITH_TIMEOUT(w().document().part()->report.facets != facets, patience_ms);
         QVERIFY(wait_until_settled(w()));
         const auto figures = [&] {
             return QStringLiteral("%1 facets (%2 facets before)")

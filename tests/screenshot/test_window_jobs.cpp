@@ -73,7 +73,7 @@ private slots:
         w.start([&](const Progress&) { elsewhere = QThread::currentThread() != w.job.thread(); });
         QVERIFY(w.job.running());
         QVERIFY(w.ends.empty()); // the end always comes from the event loop
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         QVERIFY(elsewhere);
         QVERIFY(w.ends[0].done());
         QVERIFY(!w.job.running());
@@ -90,7 +90,7 @@ private slots:
         w.job.cancel();
         QVERIFY(w.job.cancelling());
         QVERIFY(w.job.running()); // until the thread has ended
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
         QVERIFY(w.ends[0].message.isEmpty());
         QCOMPARE(w.then_calls, 1);
@@ -106,7 +106,7 @@ private slots:
         });
         w.job.cancel();
         go = true;
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
     }
 
@@ -128,7 +128,7 @@ private slots:
             if (what == 2) throw std::bad_alloc();
             throw 7;
         });
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         QCOMPARE(w.ends[0].how, JobEnd::How::failed);
         QVERIFY2(w.ends[0].message.contains(message), qPrintable(w.ends[0].message));
         QCOMPARE(w.then_calls, 1);
@@ -150,7 +150,7 @@ private slots:
                 QThread::usleep(200);
             });
         });
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         QVERIFY2(least > own, qPrintable(QString::number(least)));
         QCOMPARE(getpriority(PRIO_PROCESS, 0), own);
 #endif
@@ -165,10 +165,11 @@ private slots:
             while (!go)
                 QThread::msleep(1);
         });
-        QTRY_VERIFY(!progressed.isEmpty() && progressed.last().at(0).toDouble() == 0.5);
+        QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty() && progressed.last().at(0).toDouble() == 0.5,
+                                 facetmill::test::patience_ms);
         QCOMPARE(progressed.last().at(1).toString(), QStringLiteral("Half"));
         go = true;
-        QTRY_COMPARE(w.ends.size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(1), facetmill::test::patience_ms);
         const auto count = progressed.size();
         QTest::qWait(120);
         QCOMPARE(progressed.size(), count); // nobody polls a job that has ended
@@ -186,7 +187,7 @@ private slots:
             QStringLiteral("Third"), [&](const Progress&) { ++third; },
             [&](const JobEnd& e) { third_end = e; });
         QCOMPARE(second_end.how, JobEnd::How::cancelled); // it never ran, and that was told
-        QTRY_COMPARE(w.ends.size(), std::size_t(2));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(2), facetmill::test::patience_ms);
         QCOMPARE(w.ends[0].how, JobEnd::How::cancelled);
         QVERIFY(w.ends[1].done());
         QCOMPARE(second, 0);
@@ -201,7 +202,7 @@ private slots:
         w.job.start(
             QStringLiteral("First"), [&](const Progress&) { ++runs; },
             [&](const JobEnd&) { w.job.start(QStringLiteral("Next"), [&](const Progress&) { ++runs; }); });
-        QTRY_COMPARE(w.ends.size(), std::size_t(2));
+        QTRY_COMPARE_WITH_TIMEOUT(w.ends.size(), std::size_t(2), facetmill::test::patience_ms);
         QCOMPARE(runs, 2);
     }
 
@@ -271,7 +272,7 @@ private slots:
         QVERIFY(!freed_in);
         shown = nullptr;
         QVERIFY(!freed_in); // not here
-        QTRY_VERIFY(freed_in);
+        QTRY_VERIFY_WITH_TIMEOUT(freed_in, facetmill::test::patience_ms);
         QVERIFY(freed_in != qApp->thread());
     }
 
@@ -297,7 +298,8 @@ private slots:
         }
         QCOMPARE(own.value(QStringLiteral("a/one")).toInt(), 1);
         own.read_again();
-        QTRY_COMPARE(own.value(QStringLiteral("a/one")).toInt(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(own.value(QStringLiteral("a/one")).toInt(), 2,
+                                  facetmill::test::patience_ms);
         own.clear();
         QVERIFY(!own.value(QStringLiteral("a/one")).isValid());
         finish_aside();

@@ -150,7 +150,8 @@ class TestWindowManual : public QObject, private WindowFixture {
     template <class Dialog>
     Dialog* dialog() {
         Dialog* found = nullptr;
-        (void)QTest::qWaitFor([&] { return (found = w().findChild<Dialog*>()) && found->isVisible(); });
+        (void)QTest::qWaitFor([&] { return (found = w().findChild<Dialog*>()) && found->isVisible(); },
+                              patience_ms);
         return found;
     }
     /// Chooses an entry of a menu by what it says.
@@ -402,7 +403,7 @@ private slots:
         QCOMPARE(topic(), QStringLiteral("operations.html#rough"));
 
         QTest::keyClick(&window, Qt::Key_F, Qt::ControlModifier);
-        QTRY_VERIFY(window.search_field()->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(window.search_field()->hasFocus(), patience_ms);
         QTest::keyClicks(window.search_field(), QStringLiteral("cusp tolerance"));
         QVERIFY(window.results()->count() > 3);
         QTest::keyClick(window.search_field(), Qt::Key_Return);
@@ -504,7 +505,7 @@ private slots:
         type_over(diameter, QStringLiteral("6"));
         QTest::keyClick(diameter, Qt::Key_Tab);
         ball->accept();
-        QTRY_VERIFY(!w().findChild<ui::ToolDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<ui::ToolDialog*>(), patience_ms);
         choose(QStringLiteral("Add tool"));
         auto* flat = dialog<ui::ToolDialog>();
         QVERIFY(flat && activate(*flat));
@@ -546,11 +547,13 @@ private slots:
 
         QTest::keyClick(&w(), Qt::Key_E, Qt::ControlModifier); // 10
         QLineEdit* into = nullptr;
-        QTRY_VERIFY((into = w().findChild<QLineEdit*>(QStringLiteral("export_folder"))));
+        QTRY_VERIFY_WITH_TIMEOUT((into = w().findChild<QLineEdit*>(QStringLiteral("export_folder"))),
+                                 patience_ms);
         type_over(into, folder + "/programs");
         into->window()->findChild<QPushButton*>(QStringLiteral("export"))->click();
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY(QDir(folder + "/programs").entryList({QStringLiteral("*.nc")}).size() == 2);
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(folder + "/programs").entryList({QStringLiteral("*.nc")}).size() == 2,
+                                 patience_ms);
         QVERIFY(w().files().save_to(folder + "/job.facetmill"));
     }
 

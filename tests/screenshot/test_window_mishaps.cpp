@@ -173,7 +173,7 @@ private slots:
         QApplication::sendEvent(&w(), &dragged);
         QVERIFY(!dragged.isAccepted());
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY(!w().findChild<ui::ToolDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<ui::ToolDialog*>(), patience_ms);
         QVERIFY(w().windowTitle().startsWith(QStringLiteral("late")));
         QVERIFY(!w().document().undo_stack().canUndo());
     }
@@ -226,7 +226,7 @@ private slots:
             twice(tree->viewport(), tree->visualItemRect(*it).center());
             if (auto* dialog = w().findChild<ui::ToolDialog*>()) {
                 dialog->reject();
-                QTRY_VERIFY(!w().findChild<ui::ToolDialog*>());
+                QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<ui::ToolDialog*>(), patience_ms);
             }
             if ((*it)->childCount() > 0) QVERIFY(!(*it)->isExpanded());
             (*it)->setExpanded(true);
@@ -244,7 +244,7 @@ private slots:
             QVERIFY(box && box->isVisible());
             shot(*box, QStringLiteral("dialog-") + QLatin1String(name));
             QTest::keyClick(box, Qt::Key_Escape);
-            QTRY_VERIFY(!w().findChild<QMessageBox*>());
+            QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<QMessageBox*>(), patience_ms);
         }
     }
 

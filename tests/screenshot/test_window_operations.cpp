@@ -88,7 +88,7 @@ class TestWindowOperations : public QObject, private WindowFixture {
         QVERIFY(line);
         type_over(line, name);
         QTest::keyClick(line, Qt::Key_Return);
-        QTRY_VERIFY(!tree()->findChild<QLineEdit*>());
+        QTRY_VERIFY_WITH_TIMEOUT(!tree()->findChild<QLineEdit*>(), patience_ms);
         QCoreApplication::processEvents();
     }
 
@@ -164,7 +164,7 @@ private slots:
         w().document().change(QStringLiteral("Edit"),
                               [](Project& p) { p.operations[1]->common().tolerance = 0.0005; });
         w().plan();
-        QTRY_VERIFY_WITH_TIMEOUT(second || !w().job().running(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(second || !w().job().running(), patience_ms);
         QVERIFY(second);
         if (w().job().running()) QVERIFY(activity->text().startsWith(QStringLiteral("Middle (2 of 3)")));
         w().cancel();

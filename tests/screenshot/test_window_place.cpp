@@ -126,7 +126,7 @@ private slots:
         // Cancelled with the one before.
         click("place_turn_x");
         click("place_turn_y");
-        QVERIFY(QTest::qWaitFor([&] { return undo.count() == steps + 5; }));
+        QVERIFY(QTest::qWaitFor([&] { return undo.count() == steps + 5; }, patience_ms));
         w().cancel();
         QVERIFY(wait_until_settled(w()));
         QCOMPARE(undo.count(), steps + 5);
@@ -325,7 +325,7 @@ private slots:
             QTest::keyClicks(towards_field, QString::number(towards));
             if (!leave) shot(*dialog, QStringLiteral("axis-angles"));
             QTest::keyClick(dialog, leave ? Qt::Key_Escape : Qt::Key_Return);
-            QTRY_VERIFY(!w().findChild<QDialog*>(QStringLiteral("axis_dialog")));
+            QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<QDialog*>(QStringLiteral("axis_dialog")), patience_ms);
         };
         QUndoStack& history = w().document().undo_stack();
         const int steps = history.count();
@@ -708,7 +708,7 @@ private slots:
         drag(ring(0.1), ring(0.2), Qt::ShiftModifier);
         QVERIFY(gizmo.dragging());
         // The part itself is seen turned; while the button is down the window does not settle.
-        QTRY_VERIFY(changed_pixels(before, view_picture(w())) > 500);
+        QTRY_VERIFY_WITH_TIMEOUT(changed_pixels(before, view_picture(w())) > 500, patience_ms);
         shot(w(), QStringLiteral("place-ring"));
         auto* value = w().findChild<QDoubleSpinBox*>(QStringLiteral("place_value"));
         QCOMPARE(value->value(), 35.0); // 36 in round steps

@@ -135,7 +135,7 @@ class TestWindowRegions : public QObject, public WindowFixture {
     /// Window and dialog as they stand over each other.
     void shot_both(const QString& name) {
         QTest::qWait(80);
-        (void)QTest::qWaitFor([this] { return w().viewport().finished(); });
+        (void)QTest::qWaitFor([this] { return w().viewport().finished(); }, patience_ms);
         QImage image = w().grab().toImage().convertToFormat(QImage::Format_RGB32);
         QPainter p(&image);
         p.drawPixmap(dialog().pos() - w().pos(), dialog().grab());
@@ -285,7 +285,7 @@ private slots:
         QTest::mousePress(&w().viewport(), Qt::LeftButton, {}, handle->second);
         for (int i = 1; i <= 4; ++i)
             QTest::mouseMove(&w().viewport(), handle->second + (to - handle->second) * i / 4);
-        QVERIFY(QTest::qWaitFor([this] { return !controller().busy(); }, 30000));
+        QVERIFY(QTest::qWaitFor([this] { return !controller().busy(); }, patience_ms));
         const double tried = regions()[0].strip.area;
         QVERIFY(tried > shrunk); // before it is let go
         QVERIFY(edits().boundary_drags.empty());

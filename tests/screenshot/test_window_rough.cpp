@@ -145,7 +145,7 @@ private slots:
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));
         w().viewport().fit();
-        QTRY_VERIFY(changed_pixels(alone, view_picture(w())) < 20);
+        QTRY_VERIFY_WITH_TIMEOUT(changed_pixels(alone, view_picture(w())) < 20, patience_ms);
         // Elsewhere the whole path is there again.
         slider()->setValue(1);
         QVERIFY(wait_until_settled(w()));

@@ -231,10 +231,10 @@ private slots:
         add("add_holes");
         const auto fate = [&](int hole) { return line(QStringLiteral("Holes"))->child(hole)->text(2); };
         type_over(field("size"), QStringLiteral("3"));
-        QTRY_COMPARE(fate(2), QStringLiteral("filled"));
+        QTRY_COMPARE_WITH_TIMEOUT(fate(2), QStringLiteral("filled"), patience_ms);
         QCOMPARE(fate(0), QStringLiteral("left"));
         type_over(field("size"), QStringLiteral("4.5"));
-        QTRY_COMPARE(fate(0), QStringLiteral("filled"));
+        QTRY_COMPARE_WITH_TIMEOUT(fate(0), QStringLiteral("filled"), patience_ms);
         add("add_pieces");
         QVERIFY(kinds() == (std::vector<Kind>{Kind::holes, Kind::pieces}));
         tool("scan_up")->click();
@@ -385,7 +385,7 @@ private slots:
         QCOMPARE(text("scan_summary"), QStringLiteral("This recipe is in the project."));
         shot(w(), QStringLiteral("scan-reopened"));
         write_scan(folder_, true);
-        QTRY_COMPARE_WITH_TIMEOUT(filled(), std::size_t(3), 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(filled(), std::size_t(3), patience_ms);
         QVERIFY(wait_until_settled(w()));
         QVERIFY(w().document().part()->report.watertight);
         QCOMPARE(found(QStringLiteral("Holes")), QStringLiteral("4"));

@@ -88,7 +88,7 @@ private slots:
         const QString path = write_mesh(scratch_folder(QStringLiteral("recent")));
         w().open_file(path, LengthUnit::mm);
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY(!ui::recent_picture(path).isNull());
+        QTRY_VERIFY_WITH_TIMEOUT(!ui::recent_picture(path).isNull(), patience_ms);
         QCOMPARE(ui::recent_picture(path).size(), QSize(ui::recent_picture_width, ui::recent_picture_height));
         ui::settings::add_recent_file(QDir::tempPath()
                                       + QStringLiteral("/gone away since then, a long name.stl"));
@@ -161,8 +161,9 @@ private slots:
             QStringLiteral("trunnion-bc"));
         shot(w(), QStringLiteral("start-dark"));
         action(w(), "preferences")->trigger();
-        QTRY_VERIFY(w().findChild<ui::PreferencesDialog*>()
-                    && w().findChild<ui::PreferencesDialog*>() != dialog);
+        QTRY_VERIFY_WITH_TIMEOUT(w().findChild<ui::PreferencesDialog*>()
+                                     && w().findChild<ui::PreferencesDialog*>() != dialog,
+                                 patience_ms);
         dialog = w().findChild<ui::PreferencesDialog*>();
         QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->value(), 1);
         dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->setValue(0);
@@ -195,7 +196,7 @@ private slots:
         type_over(line, own + QStringLiteral("/"));
         QVERIFY(ok->isEnabled() && !trouble->isVisible());
         QTest::mouseClick(ok, Qt::LeftButton);
-        QTRY_VERIFY(!dialog || !dialog->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog || !dialog->isVisible(), patience_ms);
         QCOMPARE(ui::own_folder(), ui::path_of(own));
 
         // Both are kept there from now on, and found there.
@@ -205,9 +206,9 @@ private slots:
         QVERIFY(QFile::exists(own + QStringLiteral("/templates/kept.fmtemplate")));
         w().tree().tool_library_action()->trigger();
         QPointer<ui::ToolLibraryDialog> library;
-        QTRY_VERIFY((library = w().findChild<ui::ToolLibraryDialog*>()));
+        QTRY_VERIFY_WITH_TIMEOUT((library = w().findChild<ui::ToolLibraryDialog*>()), patience_ms);
         QTest::mouseClick(library->findChild<QPushButton*>(QStringLiteral("keep")), Qt::LeftButton);
-        QTRY_VERIFY(!QDir(own + QStringLiteral("/tools")).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(own + QStringLiteral("/tools")).isEmpty(), patience_ms);
         library->close();
         ui::settings::set_own_folder({});
         emit w().templates().menu()->aboutToShow();

@@ -198,7 +198,7 @@ private slots:
         shot(w(), QStringLiteral("stock-open-mesh"));
         // The file mended, the window reads it by itself, and it is planned.
         write_block(path, w().document().part()->box);
-        QTRY_VERIFY(w().document().has_stock());
+        QTRY_VERIFY_WITH_TIMEOUT(w().document().has_stock(), patience_ms);
         QVERIFY(wait_until_settled(w()));
         w().tree().select({TreeNode::Kind::operation, 0});
         enter(w(), "tolerance", QStringLiteral("0.02"));

@@ -131,7 +131,7 @@ private slots:
         auto* tolerance = dialog().findChild<QLineEdit*>(QStringLiteral("study_values_tolerance"));
         type_over(tolerance, QStringLiteral("0.02; 0.022; 0.024; 0.026; 0.028; 0.03"));
         study().start();
-        QVERIFY(QTest::qWaitFor([&] { return known_looks() > 0; }, 30000));
+        QVERIFY(QTest::qWaitFor([&] { return known_looks() > 0; }, patience_ms));
         QVERIFY(QFile::exists(folder_ + QStringLiteral("/job.study.json")));
         QTest::mouseClick(dialog().stop_button(), Qt::LeftButton);
         QVERIFY(settled());
@@ -249,7 +249,7 @@ private slots:
         QVERIFY(settled());
         if (dialog().start_button()->isEnabled()) {
             study().start();
-            QVERIFY(QTest::qWaitFor([&] { return known_looks() > 0 || !study().running(); }, 60000));
+            QVERIFY(QTest::qWaitFor([&] { return known_looks() > 0 || !study().running(); }, patience_ms));
             dialog().resize(1280, 800);
             shot(dialog(), QStringLiteral("study-sample-running"));
             QVERIFY(QTest::qWaitFor([&] { return !study().running(); }, 3600000));
@@ -261,7 +261,7 @@ private slots:
                 dialog().resize(size);
                 for (int tab = 0; tab < dialog().pictures()->count(); ++tab) {
                     dialog().pictures()->setCurrentIndex(tab);
-                    QVERIFY(QTest::qWaitFor([&] { return !w().busy(); }, 60000));
+                    QVERIFY(QTest::qWaitFor([&] { return !w().busy(); }, patience_ms));
                     shot(dialog(), QStringLiteral("study-sample-%1-%2-%3")
                                        .arg(size.width())
                                        .arg(dark ? QStringLiteral("dark") : QStringLiteral("light"))
@@ -333,7 +333,6 @@ private:
     };
     /// A study is work for many processes: on a busy machine it takes its time.
     bool settled() {
-        constexpr int patience_ms = 240'000;
         return QTest::qWaitFor([&] { return !w().busy(); }, patience_ms) && wait_until_settled(w());
     }
     ui::StudyController& study() { return w().controllers().study(); }

@@ -213,7 +213,6 @@ private slots:
 
 private:
     using StudyPlace = ui::StudyPlace;
-    static constexpr int patience_ms = 240'000;
 
     bool settled() {
         return QTest::qWaitFor([&] { return !w().busy(); }, patience_ms) && wait_until_settled(w());

@@ -282,7 +282,7 @@ private slots:
         };
         const auto accept = [&](QPointer<ui::ToolDialog> dialog) {
             dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
-            QTRY_VERIFY(!dialog);
+            QTRY_VERIFY_WITH_TIMEOUT(!dialog, patience_ms);
         };
         std::vector<FieldPlace> fields;
         {

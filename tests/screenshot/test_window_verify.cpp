@@ -340,11 +340,11 @@ private slots:
         QVERIFY(playback().playing());
         QCOMPARE(w().workspaces().current(), Workspace::simulate); // it is what one wants to see
         QVERIFY(w().layers().shown(ViewLayer::stock) && bar().isVisible());
-        QVERIFY(QTest::qWaitFor([this] { return playback().position() > 20; }));
+        QVERIFY(QTest::qWaitFor([this] { return playback().position() > 20; }, patience_ms));
         const auto half = playback().stock();
         QVERIFY(!half.empty());
-        QVERIFY(QTest::qWaitFor([&] { return stock_changed(half, playback().stock()); }));
-        QVERIFY(QTest::qWaitFor([this] { return bar().slider()->value() > 20; }));
+        QVERIFY(QTest::qWaitFor([&] { return stock_changed(half, playback().stock()); }, patience_ms));
+        QVERIFY(QTest::qWaitFor([this] { return bar().slider()->value() > 20; }, patience_ms));
         QTest::keyClick(&w().viewport(), Qt::Key_Space);
         QVERIFY(!playback().playing());
         QVERIFY(wait_until_settled(w()));
@@ -355,7 +355,7 @@ private slots:
         // To its end it stops by itself.
         playback().go_to(double(playback().track().motion_count()) - 3);
         playback().play();
-        QVERIFY(QTest::qWaitFor([this] { return !playback().playing(); }));
+        QVERIFY(QTest::qWaitFor([this] { return !playback().playing(); }, patience_ms));
         QCOMPARE(playback().target(), double(playback().track().motion_count()));
         // It does not play where it is not seen.
         playback().go_to(0);
@@ -404,7 +404,7 @@ private slots:
         QVERIFY(changed_pixels(cut, view_picture(w())) > 3000); // whole again
         bar().slider()->setValue(int(motions.size() / 2));
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY_WITH_TIMEOUT(!playback().fine_stock().empty(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!playback().fine_stock().empty(), patience_ms);
         QVERIFY(wait_until_settled(w()));
         shot(w(), QStringLiteral("playback-half"));
         // Hidden, the stock does not follow; the tool does.
@@ -631,7 +631,8 @@ private slots:
             QVERIFY(wait_until_settled(w()));
             named.sort();
             QCOMPARE(named, QDir(folder).entryList(QDir::Files, QDir::Name));
-            QTRY_VERIFY(!w().findChild<QLineEdit*>(QStringLiteral("export_folder")));
+            QTRY_VERIFY_WITH_TIMEOUT(!w().findChild<QLineEdit*>(QStringLiteral("export_folder")),
+                                     patience_ms);
         }
     }
 
@@ -663,7 +664,7 @@ private slots:
         shot(*dialog(), QStringLiteral("dialog-export"));
         QTest::keyClick(line, Qt::Key_Return);
         QVERIFY(wait_until_settled(w()));
-        QTRY_VERIFY(!dialog());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog(), patience_ms);
         QCOMPARE(QDir(folder + QStringLiteral("/job/typed")).entryList(QDir::Files).size(), 2);
         QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot),
                  QStringList(QStringLiteral("job")));

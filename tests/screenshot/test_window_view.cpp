@@ -321,7 +321,7 @@ private slots:
 
     void the_view_draws_only_on_demand() {
         QVERIFY(open_part());
-        QTRY_VERIFY(w().viewport().finished());
+        QTRY_VERIFY_WITH_TIMEOUT(w().viewport().finished(), patience_ms);
         QTest::qWait(100);
         const int frames = w().viewport().frames();
         w().findChild<QLabel*>(QStringLiteral("activity"))->setText(QStringLiteral("something else"));
@@ -331,7 +331,7 @@ private slots:
         QCOMPARE(w().viewport().frames(), frames);
         w().viewport().refresh();
         w().viewport().refresh();
-        QTRY_VERIFY(w().viewport().finished());
+        QTRY_VERIFY_WITH_TIMEOUT(w().viewport().finished(), patience_ms);
         QTest::qWait(150);
         // One picture, and where that takes long a coarse one before it.
         QVERIFY(w().viewport().frames() > frames && w().viewport().frames() <= frames + 2);
@@ -396,7 +396,7 @@ private slots:
         QTest::qWait(600);
         QVERIFY(!view.finished()); // held, not let go
         QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(30, 20));
-        QTRY_VERIFY(view.finished());
+        QTRY_VERIFY_WITH_TIMEOUT(view.finished(), patience_ms);
         QTest::qWait(50);
         const QImage full = shown();
         QVERIFY(changed_pixels(coarse, full, 0) > 100);
@@ -416,7 +416,7 @@ private slots:
         QCOMPARE(view.frames(), frames);
         QVERIFY(!view.finished());
         QCOMPARE(changed_pixels(widget, view.grab().toImage(), 0), 0);
-        QTRY_VERIFY(view.frames() > frames && view.finished());
+        QTRY_VERIFY_WITH_TIMEOUT(view.frames() > frames && view.finished(), patience_ms);
         QVERIFY(changed_pixels(before, view.picture(), 0) > 1000);
         // Changes while it draws are in the next one, and who asks for the picture gets the newest.
         view.scene().set_palette(Palette::light);

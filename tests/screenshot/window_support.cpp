@@ -28,10 +28,9 @@ namespace facetmill::test {
 bool wait_until_settled(ui::MainWindow& window) {
     QElapsedTimer timer;
     timer.start();
-    // Ends of jobs start others: idle must hold for a few turns of the event loop. The limit only ends a
-    // window that hangs: a job of ten seconds takes a minute on a machine that does much else.
+    // Ends of jobs start others: idle must hold for a few turns of the event loop.
     for (int idle = 0; idle < 3; idle = window.busy() ? 0 : idle + 1) {
-        if (timer.elapsed() > 240000) return false;
+        if (timer.elapsed() > patience_ms) return false;
         QTest::qWait(20);
     }
     return true;
@@ -40,7 +39,7 @@ bool wait_until_settled(ui::MainWindow& window) {
 QImage shot(QWidget& widget, const QString& name) {
     QTest::qWait(60);
     if (auto* view = widget.findChild<ui::Viewport*>())
-        (void)QTest::qWaitFor([view] { return view->finished(); });
+        (void)QTest::qWaitFor([view] { return view->finished(); }, patience_ms);
     const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
     QDir().mkpath(QStringLiteral(FACETMILL_PICTURE_OUT));
     image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/%1.png").arg(name));

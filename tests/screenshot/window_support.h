@@ -21,7 +21,8 @@ class QLineEdit;
 
 namespace facetmill::test {
 
-/// Waits until the window is through with its jobs and has drawn; false after a minute.
+/// Waits until the window is through with its jobs and has drawn; false where that takes longer than
+/// patience_ms.
 bool wait_until_settled(ui::MainWindow& window);
 
 /// Saves a picture of a widget among the test's outputs, to be looked at, and returns it.

@@ -20,6 +20,10 @@ bool register_test(const char* name, std::function<std::unique_ptr<QObject>()> m
 /// and warnings are told, and at the end the classes that failed. The exit status of the program.
 int run_tests(int argc, char** argv);
 
+/// How long a test waits for what happens by itself. It only ends a test that hangs: what takes a second
+/// alone takes a minute on a machine that does much else.
+inline constexpr int patience_ms = 240'000;
+
 /// Path of a file or folder below tests/.
 std::string data_path(const std::string& relative);
 
