@@ -402,7 +402,7 @@ void flag_samples(SurfaceSamples& s, const Mesh& part, const MeshSight& sight, d
     const double beside = beside_share * cutter_radius;
     const auto passed_along = [&](std::size_t i, const Vec3& axis) {
         return axis.dot(s.normals[i]) >= -tolerance::vertical_normal_z
-               && sight.first_hit(s.places[i] + beside * s.normals[i], axis) == infinity;
+               && sight.is_free(s.places[i] + beside * s.normals[i], axis);
     };
     parallel_for(s.points.size(), samples_per_block, progress, [&](std::size_t i) {
         double steepest = -1;
