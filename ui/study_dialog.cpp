@@ -158,6 +158,7 @@ QWidget* StudyDialog::build_candidates() {
 void StudyDialog::build_buttons() {
     auto* row = new QWidget(this);
     auto* flow = new FlowLayout(row, 6);
+    flow->setContentsMargins(0, 0, 0, 0);
     const auto button = [&](const QString& words, const char* name, const QString& tip,
                             void (StudyDialog::*signal)()) {
         auto* b = new QPushButton(words, row);

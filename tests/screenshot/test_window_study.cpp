@@ -25,6 +25,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
@@ -91,6 +92,11 @@ private slots:
         QVERIFY(estimate().contains(QStringLiteral("Nothing may vary")));
         ask();
         QVERIFY2(estimate().contains(QStringLiteral("Candidates: 4 to plan")), qPrintable(estimate()));
+        // Buttons stand close under what they are about.
+        const auto* bar = dialog().findChild<QProgressBar*>(QStringLiteral("study_progress"));
+        QVERIFY(bar);
+        const int above = dialog().start_button()->mapTo(&dialog(), QPoint()).y() - bar->geometry().bottom();
+        QVERIFY2(above <= 8, qPrintable(QString::number(above)));
         shot(dialog(), QStringLiteral("study-question"));
         QTest::mouseClick(dialog().start_button(), Qt::LeftButton);
         QVERIFY(study().running() && dialog().stop_button()->isEnabled());
