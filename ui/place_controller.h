@@ -73,8 +73,8 @@ private:
     std::string listed_; ///< says what the list was, or is being, made from
     std::vector<LyingFace> faces_;
     PlacePick picking_ = PlacePick::none;
-    std::vector<Vec3> points_;     ///< picked so far
-    QString square_said_;          ///< in the bar, of a part that lies so:
+    std::vector<Vec3> points_; ///< picked so far
+    QString square_said_;      ///< in the bar, of a part that lies so:
     Placement said_of_;
     Box3 box_;                     ///< of the part that the view was fitted to
     BackgroundJob job_, hole_job_; // last: they end first

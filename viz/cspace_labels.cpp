@@ -131,8 +131,8 @@ void leave_out_covered(OverlayContent& content, const std::function<double(const
 bool lies_on_another(const OverlayContent& content, const OverlayNote& note,
                      const std::function<double(const std::string&)>& name_width) {
     const LayoutRect own = note_rect(note, name_width);
-    return std::ranges::any_of(
-        content.notes, [&](const OverlayNote& n) { return covers(own, note_rect(n, name_width)); });
+    return std::ranges::any_of(content.notes,
+                               [&](const OverlayNote& n) { return covers(own, note_rect(n, name_width)); });
 }
 
 } // namespace facetmill

@@ -261,7 +261,7 @@ private:
     const Project& project_;
     const PreparedPart& part_;
     Project rough_;
-    double before_ = 0;                           ///< seconds that roughing takes
+    double before_ = 0; ///< seconds that roughing takes
     Suggestions made_;
 };
 
