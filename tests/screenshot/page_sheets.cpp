@@ -26,7 +26,7 @@ PageSheets::PageSheets(QString folder, QString name, double shrink)
 void PageSheets::add(QWidget& widget, const QString& title) {
     QTest::qWait(60);
     if (auto* view = widget.findChild<ui::Viewport*>())
-        (void)QTest::qWaitFor([view] { return view->finished(); }, patience_ms);
+        (void)QTest::qWaitFor([view] { return view->finished(); });
     add(widget.grab().toImage(), title);
 }
 
