@@ -450,8 +450,10 @@ void find_uncut_reasons(Verification& v, const SurfaceSamples& samples, const Pr
         v.uncut.push_back(reason);
         if (reason.counts()) area += reason.area;
     }
-    std::stable_sort(v.uncut.begin(), v.uncut.end(),
-                     [](const UncutReason& a, const UncutReason& b) { return a.area > b.area; });
+    // What is only told comes after what counts.
+    std::stable_sort(v.uncut.begin(), v.uncut.end(), [](const UncutReason& a, const UncutReason& b) {
+        return a.counts() != b.counts() ? a.counts() : a.area > b.area;
+    });
     v.uncut_share = to_cut > 0 ? area / to_cut : 0;
 }
 

@@ -147,7 +147,7 @@ struct Verification {
         gouges; ///< the ten deepest beyond the limit, at least a cutter's radius apart
     std::vector<DeviationExtreme> excess; ///< the ten highest over the tolerance, likewise
     std::vector<Collision> collisions;    ///< in the order of motions; the deepest of each motion and kind
-    std::vector<UncutReason> uncut;       ///< by reason and tool, the largest area first
+    std::vector<UncutReason> uncut;       ///< by reason and tool: what counts, then what is told
     double uncut_share = 0;               ///< of the area to be cut, in [0, 1]
     double not_judged_share = 0; ///< of the area that tool axes see: near open borders; 1: see `not_judged`
     std::string not_judged;      ///< why nothing can be said of the whole; empty where it can
