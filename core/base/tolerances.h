@@ -157,7 +157,7 @@ inline constexpr double probe_rounding = 1e-9;
 /// Shank, holder or rapid reaching less deep (mm) into part or stock only touch it. A shank as wide as its
 /// cutter slides along walls that passes above it cut: both are off by what arcs and decimals of a control
 /// do.
-inline constexpr double collision_depth = 5e-3;
+inline constexpr double collision_depth = 3e-3;
 /// And from here on it is a collision, mm, whatever may be missing of the part.
 inline constexpr double max_collision_depth = 0.01;
 
