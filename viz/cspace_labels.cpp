@@ -15,6 +15,9 @@ bool same(const ChosenPosture& a, const ChosenPosture& b) {
 
 constexpr double note_half = 8; ///< of a note's height
 
+constexpr double line_spare = 3; ///< of a note's line, above and below its letters, pixels
+constexpr double note_gap = 5;   ///< between two notes side by side, pixels
+
 bool covers(const LayoutRect& a, const LayoutRect& b) {
     return a.x0 < b.x1 && a.x1 > b.x0 && a.y0 < b.y1 && a.y1 > b.y0;
 }
@@ -130,7 +133,12 @@ void leave_out_covered(OverlayContent& content, const std::function<double(const
 
 bool lies_on_another(const OverlayContent& content, const OverlayNote& note,
                      const std::function<double(const std::string&)>& name_width) {
-    const LayoutRect own = note_rect(note, name_width);
+    // Letters are lower than the line that they stand in; from one note to the next there is a gap.
+    LayoutRect own = note_rect(note, name_width);
+    own.y0 += line_spare;
+    own.y1 -= line_spare;
+    own.x0 -= note_gap;
+    own.x1 += note_gap;
     return std::ranges::any_of(content.notes,
                                [&](const OverlayNote& n) { return covers(own, note_rect(n, name_width)); });
 }

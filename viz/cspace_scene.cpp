@@ -250,6 +250,7 @@ struct CSpaceScene::Impl {
     void add_axis_notes(OverlayContent& c) {
         const CSpaceAxes a = axes();
         const auto shown = [&](const Vec3& p) { return Vec2(display_of(p) / ratio); };
+        std::vector<std::pair<OverlayNote, Vec2>> names; // they go where all numbers leave room
         for (const CSpaceAxis* axis : {&a.lead, &a.yaw}) {
             if (axis->ticks.empty()) continue;
             // Numbers stand off the box in the direction of the ticks as it is seen.
@@ -265,8 +266,10 @@ struct CSpaceScene::Impl {
             }
             if (small() && names_fit()) continue; // postures have theirs there
             const double aside = 0.5 * overlay->note_width(axis->name, true) * std::abs(route.x()) + 28;
-            add_axis_name(c, {shown(axis->middle) + aside * route, 0, axis->name, true, false}, route);
+            names.push_back({{shown(axis->middle) + aside * route, 0, axis->name, true, false}, route});
         }
+        for (auto& [name, route] : names)
+            add_axis_name(c, std::move(name), route);
         Vec2 last(-1e9, -1e9);
         for (const CSpaceTick& t : a.delta.ticks) {
             const Vec2 p = shown(t.at + CSpaceAxes::tick * a.delta.outward) + Vec2(-4, 0);
