@@ -149,7 +149,8 @@ void to_hull(std::vector<Vec2>& points) {
     const std::size_t n = points.size();
     if (n < 3) return;
     // Behind the points, so that what has room for them once asks for no more.
-    const auto add = [&](const Vec2 p, std::size_t first) {
+    const auto add = [&](std::size_t i, std::size_t first) {
+        const Vec2 p = points[i];
         while (points.size() >= first + 2) {
             const Vec2 a = points.back() - points[points.size() - 2], b = p - points.back();
             if (a.x() * b.y() - a.y() * b.x() > 0) break;
@@ -158,10 +159,10 @@ void to_hull(std::vector<Vec2>& points) {
         points.push_back(p);
     };
     for (std::size_t i = 0; i < n; ++i)
-        add(points[i], n);
+        add(i, n);
     const std::size_t first = points.size() - 1;
     for (std::size_t i = n - 1; i-- > 0;)
-        add(points[i], first);
+        add(i, first);
     points.pop_back(); // the first once more
     points.erase(points.begin(), points.begin() + std::ptrdiff_t(n));
 }
