@@ -383,6 +383,7 @@ static bool operation_leaves_more(const Project& project, const std::string& nam
 
 VerifySettings verify_settings(const Project& project, const PlanResult* plan) {
     VerifySettings settings;
+    settings.unit = project.unit;
     const Operation* last = nullptr;
     for (const Operation* o : operations_on(project)) {
         const bool planned = !plan

@@ -121,7 +121,7 @@ double StockLattice::rays_over(const Box3& box, double resolution) {
     return n.x() * n.y() + n.y() * n.z() + n.z() * n.x();
 }
 
-StockLattice StockLattice::over(const Box3& box, double resolution) {
+StockLattice StockLattice::over(const Box3& box, double resolution, LengthUnit unit) {
     const Vec3 size = box.size();
     if (box.empty() || !(size.minCoeff() > 0))
         throw Error(ErrorCode::empty_result, "stock", "has no volume", "give the stock a margin");
@@ -129,10 +129,9 @@ StockLattice StockLattice::over(const Box3& box, double resolution) {
         throw Error(ErrorCode::out_of_range, "resolution", "is not above 0", "enter a positive length");
     if (const double rays = rays_over(box, resolution); !(rays <= max_rays))
         throw Error(ErrorCode::limit_exceeded, "resolution",
-                    length_text(resolution, LengthUnit::mm) + " makes " + format_number(std::round(rays), 6)
+                    length_text(resolution, unit) + " makes " + format_number(std::round(rays), 6)
                         + " rays through the stock, more than " + format_number(max_rays),
-                    "use at least "
-                        + length_text(resolution * std::sqrt(rays / max_rays) * 1.01, LengthUnit::mm, 3));
+                    "use at least " + length_text(resolution * std::sqrt(rays / max_rays) * 1.01, unit, 3));
     StockLattice lattice;
     for (int k = 0; k < 3; ++k) {
         const int cells = std::max(1, int(std::ceil(size[k] / resolution)));

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/units.h"
 #include "core/verify/program.h"
 
 #include <array>
@@ -28,8 +29,8 @@ struct StockLattice {
     Vec3 node(int i, int j, int k) const { return origin + Vec3(i, j, k).cwiseProduct(spacing); }
     /// A lattice whose nodes are about `resolution` (mm) apart in all directions, never farther. Throws
     /// Error(empty_result) for a box without volume, Error(limit_exceeded) where the rays would be more than
-    /// 10^9, naming a resolution that serves.
-    static StockLattice over(const Box3& box, double resolution);
+    /// 10^9, naming a resolution that serves in `unit`.
+    static StockLattice over(const Box3& box, double resolution, LengthUnit unit = LengthUnit::mm);
     /// How many rays `over` would make, if it had no limit.
     static double rays_over(const Box3& box, double resolution);
     std::size_t rays() const;

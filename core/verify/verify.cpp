@@ -69,23 +69,23 @@ VerifySettings completed(VerifySettings s, const StockSolid& stock, const Radii&
     return s;
 }
 
-void check_resolution(double resolution, const StockSolid& stock, const Radii& radii) {
-    if (resolution < stock.box.size().maxCoeff()) return;
+void check_resolution(const VerifySettings& used, const StockSolid& stock, const Radii& radii) {
+    if (used.resolution < stock.box.size().maxCoeff()) return;
     throw Error(ErrorCode::out_of_range, "resolution",
-                length_text(resolution, LengthUnit::mm)
+                length_text(used.resolution, used.unit)
                     + " is as long as the stock, in which nothing is seen then",
-                "use at most " + length_text(coarsest_look * radii.min, LengthUnit::mm, 3)
+                "use at most " + length_text(coarsest_look * radii.min, used.unit, 3)
                     + ", half of the narrowest cutter's radius");
 }
 
 void check_memory(double needed, const VerifySettings& used) {
     const double most = double(used.max_stock_bytes);
     if (needed <= most) return;
-    throw Error(
-        ErrorCode::limit_exceeded, "resolution",
-        length_text(used.resolution, LengthUnit::mm) + " needs about " + format_number(needed / 1e9, 3)
-            + " GB for the stock, more than " + format_number(most / 1e9, 3) + " GB",
-        "use at least " + length_text(used.resolution * std::sqrt(needed / most) * 1.05, LengthUnit::mm, 3));
+    throw Error(ErrorCode::limit_exceeded, "resolution",
+                length_text(used.resolution, used.unit) + " needs about " + format_number(needed / 1e9, 3)
+                    + " GB for the stock, more than " + format_number(most / 1e9, 3) + " GB",
+                "use at least "
+                    + length_text(used.resolution * std::sqrt(needed / most) * 1.05, used.unit, 3));
 }
 
 /// Where the cutter of a program may be, all motions at feed.
@@ -151,10 +151,15 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
     return surface;
 }
 
+std::string square_text(double mm2, LengthUnit unit) {
+    return format_number(mm2 / core_per_edge(Quantity::area, unit), 3) + " "
+           + std::string(edge_unit_name(Quantity::area, unit));
+}
+
 /// What was not judged, and why.
 /// `asked`: the spacing wanted was asked for, not the resolution.
-std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted_spacing, bool asked,
-                                    std::size_t max_samples, bool border) {
+std::vector<std::string> remarks_on(const SurfaceSamples& samples, const VerifySettings& used, bool asked,
+                                    bool border) {
     double area = 0, away = 0, bare = 0, hidden = 0, counted = 0;
     for (std::size_t i = 0; i < samples.weights.size(); ++i) {
         area += samples.weights[i];
@@ -183,12 +188,11 @@ std::vector<std::string> remarks_on(const SurfaceSamples& samples, double wanted
     if (area > 0 && counted == 0)
         remarks.emplace_back("That is the whole part: nowhere is what the programs leave held against the "
                              "tolerance, only gouges are judged.");
-    if (samples.spacing > 1.001 * wanted_spacing)
-        remarks.push_back("The probes are up to " + length_text(samples.spacing, LengthUnit::mm, 3)
-                          + " apart, " + format_number(samples.spacing / wanted_spacing, 3)
-                          + " times farther than " + (asked ? "asked" : "the stock's rays")
-                          + ": else there would be more than "
-                          + std::to_string(std::max(max_samples, samples.points.size()))
+    if (samples.spacing > 1.001 * used.sample_spacing)
+        remarks.push_back("The probes are up to " + length_text(samples.spacing, used.unit, 3) + " apart, "
+                          + format_number(samples.spacing / used.sample_spacing, 3) + " times farther than "
+                          + (asked ? "asked" : "the stock's rays") + ": else there would be more than "
+                          + std::to_string(std::max(used.max_samples, samples.points.size()))
                           + ". What is narrower may be missed.");
     return remarks;
 }
@@ -224,15 +228,15 @@ void find_starts_inside(Verification& v, const Mesh& part, std::span<const Verif
 std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double min_radius) {
     const double spacing = std::max(samples.spacing, v.used.resolution);
     if (spacing > coarsest_look * min_radius)
-        return "places looked at are " + length_text(spacing, LengthUnit::mm, 3)
-               + " apart, and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
+        return "places looked at are " + length_text(spacing, v.used.unit, 3)
+               + " apart, and a cutter has a radius of " + length_text(min_radius, v.used.unit, 3)
                + ": ask for a resolution and a spacing of at most "
-               + length_text(coarsest_look * min_radius, LengthUnit::mm, 3);
+               + length_text(coarsest_look * min_radius, v.used.unit, 3);
     constexpr double deepest_limit = 0.25; // nothing lies deeper in a cutter than its radius
     if (v.used.gouge_limit > deepest_limit * min_radius)
-        return "the gouge limit is " + length_text(v.used.gouge_limit, LengthUnit::mm, 3)
-               + ", and a cutter has a radius of " + length_text(min_radius, LengthUnit::mm, 3)
-               + ": allow at most " + length_text(deepest_limit * min_radius, LengthUnit::mm, 3);
+        return "the gouge limit is " + length_text(v.used.gouge_limit, v.used.unit, 3)
+               + ", and a cutter has a radius of " + length_text(min_radius, v.used.unit, 3)
+               + ": allow at most " + length_text(deepest_limit * min_radius, v.used.unit, 3);
     const double seen = v.figures.area + v.border.area;
     if (v.used.tolerance > 0 && v.border.uncut_fraction * v.border.area > v.used.uncut_limit * seen)
         return "more than twice the tolerance stays on "
@@ -284,14 +288,13 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
     find_uncut_reasons(v, samples, probed, before, programs, progress.part(0.95, 0.99));
-    v.remarks =
-        remarks_on(samples, v.used.sample_spacing, spacing_asked, v.used.max_samples, v.border.samples > 0);
+    v.remarks = remarks_on(samples, v.used, spacing_asked, v.border.samples > 0);
     for (const UncutReason& r : v.uncut)
         if (r.why == UncutReason::Why::upright)
             v.remarks.push_back("Upright walls ask for no pass of their own: more than twice the tolerance "
                                 "stays on "
-                                + format_number(r.area, 3) + " mm² of them, up to "
-                                + length_text(r.excess_max, LengthUnit::mm, 3)
+                                + square_text(r.area, v.used.unit) + " of them, up to "
+                                + length_text(r.excess_max, v.used.unit, 3)
                                 + ", which is no part of the verdict.");
     if (sides.turned_facets > 0)
         v.remarks.push_back(std::to_string(sides.turned_facets)
@@ -305,14 +308,14 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
     v.surface = published(std::move(samples), probed.deviation);
 }
 
-std::string loose_remark(const LoosePieces& loose, std::span<const VerifyProgram> programs) {
+std::string loose_remark(const LoosePieces& loose, std::span<const VerifyProgram> programs, LengthUnit unit) {
     const std::string when = "GOTO " + std::to_string(loose.at.motion + 1) + " of '"
                              + printable(programs[loose.at.program].name) + "'";
     if (loose.part_is_free)
         return "The part is cut free at " + when
                + ": what stood round it holds it no longer. Hold it from then on, or leave something between "
                  "them.";
-    const std::string size = length_text(loose.largest.box.size().maxCoeff(), LengthUnit::mm, 3);
+    const std::string size = length_text(loose.largest.box.size().maxCoeff(), unit, 3);
     return (loose.count == 1 ? "A piece of the stock, " + size + " long, comes off at " + when
                              : std::to_string(loose.count) + " pieces of the stock, up to " + size
                                    + " long, come off, the first at " + when)
@@ -369,7 +372,7 @@ Prepared prepare(const StockSolid& stock, std::span<const VerifyProgram> program
     p.used = completed(settings, stock, p.radii, turns);
     if (!(settings.resolution > 0) && std::isfinite(settings.usual_rays_asked))
         lighten(p.used, stock, programs, p.radii.narrowest);
-    check_resolution(p.used.resolution, stock, p.radii);
+    check_resolution(p.used, stock, p.radii);
     return p;
 }
 
@@ -403,7 +406,7 @@ VerifyWork work_of(const Mesh& part, const StockSolid& stock, std::span<const Ve
 std::shared_ptr<const StockModel> cut_all(const StockSolid& stock, std::span<const VerifyProgram> programs,
                                           const VerifySettings& used, MaterialRemoval& removal,
                                           StocksBefore* before, const Progress& progress) {
-    const StockLattice lattice = StockLattice::over(stock.box, used.resolution);
+    const StockLattice lattice = StockLattice::over(stock.box, used.resolution, used.unit);
     const double all_rays = double(lattice.rays() * sizeof(RayTile::Piece));
     if (stock.kind == StockSolid::Kind::mesh) check_memory(all_rays, used); // all are kept from the start
     auto model = std::make_shared<StockModel>(stock, lattice, progress.part(0.0, 0.1));
@@ -457,7 +460,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     if (settings.look_for_pieces)
         v.loose =
             loose_pieces(part, *v.stock, programs, progress.part(0.92, 1.0, "Looking for loose pieces"));
-    if (v.loose) v.remarks.push_back(loose_remark(*v.loose, programs));
+    if (v.loose) v.remarks.push_back(loose_remark(*v.loose, programs, v.used.unit));
     v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);

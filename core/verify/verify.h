@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/units.h"
 #include "core/mesh/outward.h"
 #include "core/verify/loose_pieces.h"
 #include "core/verify/program.h"
@@ -65,6 +66,7 @@ struct VerifySettings {
     std::function<void(const VerifyWork&)> before_work = nullptr;
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
     std::size_t max_stock_bytes = 2'500'000'000;
+    LengthUnit unit = LengthUnit::mm; ///< of lengths in remarks and errors; figures are in mm all the same
 };
 
 /// What became of the part's surface. Positive: so much stands on it, along its outward normal; where that is

@@ -2984,8 +2984,8 @@
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} mm² of them, up to {2}, which is no part of the verdict.</source>
-        <translation>Aufrechte Wände verlangen keine eigene Bahn: auf {1} mm² von ihnen bleibt mehr als die doppelte Toleranz stehen, bis zu {2}, was nicht zum Urteil zählt.</translation>
+        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} of them, up to {2}, which is no part of the verdict.</source>
+        <translation>Aufrechte Wände verlangen keine eigene Bahn: auf {1} von ihnen bleibt mehr als die doppelte Toleranz stehen, bis zu {2}, was nicht zum Urteil zählt.</translation>
     </message>
     <message>
         <source>Valley</source>

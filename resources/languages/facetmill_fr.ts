@@ -2984,8 +2984,8 @@
         <translation>Unités</translation>
     </message>
     <message>
-        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} mm² of them, up to {2}, which is no part of the verdict.</source>
-        <translation>Les parois verticales ne demandent pas de passe à elles : sur {1} mm² d'entre elles, il reste plus du double de la tolérance, jusqu'à {2}, ce qui ne compte pas dans le verdict.</translation>
+        <source>Upright walls ask for no pass of their own: more than twice the tolerance stays on {1} of them, up to {2}, which is no part of the verdict.</source>
+        <translation>Les parois verticales ne demandent pas de passe à elles : sur {1} d'entre elles, il reste plus du double de la tolérance, jusqu'à {2}, ce qui ne compte pas dans le verdict.</translation>
     </message>
     <message>
         <source>Valley</source>

@@ -297,9 +297,19 @@ private slots:
         QVERIFY(wall && !wall->counts());
         QVERIFY2(std::abs(wall->area - 300) < 30, qPrintable(QString::number(wall->area)));
         QVERIFY(std::abs(wall->excess_max - 3) < 1e-6 && wall->place.x() < -19.99);
-        QVERIFY(std::any_of(v.remarks.begin(), v.remarks.end(), [](const std::string& remark) {
-            return remark.find("Upright walls") == 0 && remark.find("up to 3 mm,") != std::string::npos;
-        }));
+        const auto told = [](const Verification& of, const std::string& area, const std::string& height) {
+            return std::any_of(of.remarks.begin(), of.remarks.end(), [&](const std::string& remark) {
+                return remark.find("Upright walls") == 0
+                       && remark.find(area + " of them") != std::string::npos
+                       && remark.find("up to " + height + ",") != std::string::npos;
+            });
+        };
+        QVERIFY(told(v, format_number(wall->area, 3) + " mm²", "3 mm"));
+        VerifySettings inches = asked();
+        inches.unit = LengthUnit::inch;
+        const Verification the_same =
+            judged(part, stock, lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6), inches);
+        QVERIFY(told(the_same, format_number(wall->area / (25.4 * 25.4), 3) + " in²", "0.118 in"));
         const Mesh roof = box(Vec3(-26, -15, 6), Vec3(26, 15, 8));
         const auto first = Index(part.vertices.size());
         part.vertices.insert(part.vertices.end(), roof.vertices.begin(), roof.vertices.end());
@@ -322,7 +332,10 @@ private slots:
         const Verification v = judged(part, stock, good, coarse);
         QCOMPARE(int(v.verdict()), int(Verdict::not_judged));
         QVERIFY(!v.passed() && v.not_judged_share == 1
-                && v.not_judged.find("resolution") != std::string::npos);
+                && v.not_judged.find("a resolution and a spacing of at most 2 mm") != std::string::npos);
+        coarse.unit = LengthUnit::inch;
+        QVERIFY(judged(part, stock, good, coarse).not_judged.find("of at most 0.0787 in")
+                != std::string::npos);
         const VerifyProgram deep = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), -1, 6);
         QCOMPARE(int(judged(part, stock, deep, coarse).verdict()), int(Verdict::failed));
     }
