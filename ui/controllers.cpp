@@ -109,8 +109,8 @@ void Controllers::build(const Parts& p, QWidget* window) {
         tree.select({TreeNode::Kind::operation, operation});
     });
     connect(verification_->panel(), &VerificationPanel::add_wanted, this,
-            [&document = p.document, &tree = p.tree](const std::string& kind) {
-                tree.select({TreeNode::Kind::operation, document.add_operation(kind)});
+            [&document = p.document, &tree = p.tree](const VerdictAdvice& advice) {
+                tree.select({TreeNode::Kind::operation, document.add_operation(advice.add, advice.wish)});
             });
     // The charts hear of other paths first, then the tool goes to the paths' start, then a chosen strip may
     // take it. Keys: a playback goes before the configuration space, that before steps along the path. New
@@ -165,9 +165,8 @@ void Controllers::connect_messages(const Document& document, Messages& messages)
                 verdict_said_ = message;
                 const VerdictAdvice advice = verification_->panel()->advice();
                 if (!advice.add.empty() && message.endsWith(advice.text))
-                    messages.offer({advised_button(advice), [this, kind = advice.add] {
-                                        emit verification_->panel()->add_wanted(kind);
-                                    }});
+                    messages.offer({advised_button(advice),
+                                    [this, advice] { emit verification_->panel()->add_wanted(advice); }});
             });
     connect(&verification_->model(), &VerificationModel::changed, this, [this, &messages] {
         if (!verification_->model().current() && !verdict_said_.isEmpty()

@@ -185,8 +185,8 @@ std::string Document::free_operation_name(const std::string& wish) const {
     return facetmill::free_operation_name(project_, wish);
 }
 
-std::size_t Document::add_operation(const std::string& kind) {
-    NewOperation made = new_operation(kind, project_);
+std::size_t Document::add_operation(const std::string& kind, const OperationWish& wish) {
+    NewOperation made = new_operation(kind, project_, wish);
     made.operation->common().name = free_operation_name(first_name_of(kind));
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(made.operation));

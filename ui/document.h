@@ -2,6 +2,7 @@
 // planned, with the state of every operation. No widgets; the window listens.
 #pragma once
 
+#include "core/job/new_operation.h"
 #include "core/job/opened_program.h"
 #include "core/job/planner.h"
 #include "core/job/project.h"
@@ -69,8 +70,8 @@ public:
     /// The operations of each setup.
     const std::vector<std::vector<int>>& setup_ids() const { return ids_; }
     std::optional<std::size_t> index_of(int id) const;
-    /// Where machining asks for it; returns its place.
-    std::size_t add_operation(const std::string& kind);
+    /// Where machining asks for it, as new_operation makes it; returns its place.
+    std::size_t add_operation(const std::string& kind, const OperationWish& wish = {});
     /// As one step, with tools that they need.
     void add_operations(const QString& what, std::size_t place,
                         std::vector<std::unique_ptr<Operation>> operations, const std::vector<Tool>& tools);

@@ -2,11 +2,12 @@
 
 #include "core/job/project.h"
 #include "core/job/project_setup.h"
+#include "core/job/usual_tools.h"
 #include "core/verify/verify.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
 
-#include <algorithm>
+#include <optional>
 
 namespace facetmill::ui {
 
@@ -22,12 +23,41 @@ const UncutReason* main_reason(const Verification& v) {
 
 /// Which operations of a setup are there already, of those that could be advised.
 struct Present {
-    explicit Present(const Project& project) {
-        for (const Operation* o : operations_on(project)) {
+    explicit Present(const Project& of) : project(of) {
+        for (const Operation* o : operations_on(of)) {
             rough = rough || o->purpose() == Purpose::roughing;
             clean = clean || o->purpose() == Purpose::cleaning;
         }
     }
+
+    /// The tool of the operation of this name where no clean-up has it yet; nullptr: one has.
+    const Tool* unused_in_clean_up(const std::string& operation) const {
+        const Tool* tool = nullptr;
+        for (const Operation* o : operations_on(project))
+            if (o->common().name == operation) tool = find_tool(project.tools, o->common().tool);
+        for (const Operation* o : operations_on(project))
+            if (tool && o->purpose() == Purpose::cleaning && o->common().tool == tool->number) return nullptr;
+        return tool;
+    }
+
+    /// The narrowest that finishes or cleans up, where one that can be bought is narrower yet; nullptr: none,
+    /// or nothing cleans up.
+    const Tool* last_but_narrowest() const {
+        const Tool* last = nullptr;
+        for (const Operation* o : operations_on(project)) {
+            const Tool* tool = find_tool(project.tools, o->common().tool);
+            if (clean && o->purpose() != Purpose::roughing && tool
+                && (!last || tool->diameter < last->diameter))
+                last = tool;
+        }
+        if (!last) return nullptr;
+        const NewOperation next = new_operation("cleanup", project, {{}, last->number});
+        return !next.tool || usual_diameter(next.tool->diameter, project.unit) <= next.tool->diameter
+                   ? last
+                   : nullptr;
+    }
+
+    const Project& project;
     bool rough = false, clean = false;
 };
 
@@ -50,6 +80,13 @@ VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
     using Why = UncutReason::Why;
     switch (r.why) {
     case Why::no_tool:
+        if (const Tool* last = there.last_but_narrowest())
+            return {
+                tr("What to do: add another Clean-up, with a smaller tool after %1; or accept what stays, "
+                   "by Uncut limit in Verification limits.")
+                    .arg(text(last->name)),
+                "cleanup",
+                {{}, last->number}};
         if (there.clean)
             return {tr("What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in "
                        "Verification limits."),
@@ -58,11 +95,13 @@ VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
                    "limit in Verification limits."),
                 "cleanup"};
     case Why::no_operation:
-        if (there.clean)
-            return {tr("What to do: a finish with the tool that fits; or accept what stays, by Uncut limit "
-                       "in Verification limits."),
-                    {}};
-        return {tr("What to do: add Clean-up, or a finish with the tool that fits."), "cleanup"};
+        if (const Tool* fits = there.unused_in_clean_up(r.program))
+            return {tr("What to do: add Clean-up with %1, which fits there.").arg(text(fits->name)),
+                    "cleanup",
+                    {fits->number, {}}};
+        return {tr("What to do: a finish with the tool that fits; or accept what stays, by Uncut limit in "
+                   "Verification limits."),
+                {}};
     case Why::not_cut:
     case Why::passes_apart:
         if (there.clean) return {tr("What to do: finish with a smaller tolerance."), {}};
@@ -96,6 +135,20 @@ VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
     return {};
 }
 
+/// An operation that takes away enough of what stays for the verdict, though most of that has another reason,
+/// about which more is to be done than to add something.
+std::optional<VerdictAdvice> enough_to_add(const Verification& v, const Present& there) {
+    double all = 0;
+    for (const UncutReason& r : v.uncut)
+        if (r.counts()) all += r.area;
+    for (const UncutReason& r : v.uncut) {
+        if (!r.counts() || v.uncut_share * (1 - r.area / all) > v.used.uncut_limit) continue;
+        VerdictAdvice advice = advice_on(r, there);
+        if (!advice.add.empty()) return advice;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
@@ -103,7 +156,9 @@ VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
     const Present there(project);
     if (!v.collisions.empty()) return advice_on(v.collisions.front(), there);
     const UncutReason* reason = v.left_uncut() ? main_reason(v) : nullptr;
-    return reason ? advice_on(*reason, there) : VerdictAdvice();
+    if (!reason) return {};
+    const VerdictAdvice advice = advice_on(*reason, there);
+    return advice.add.empty() ? enough_to_add(v, there).value_or(advice) : advice;
 }
 
 QString advised_button(const VerdictAdvice& advice) {

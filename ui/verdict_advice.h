@@ -2,6 +2,8 @@
 // of what stays is there.
 #pragma once
 
+#include "core/job/new_operation.h"
+
 #include <QString>
 
 #include <string>
@@ -16,11 +18,13 @@ namespace facetmill::ui {
 struct VerdictAdvice {
     QString text;    ///< empty where it passed, could not be judged, or nothing can be advised
     std::string add; ///< the kind of operation that is to be added; empty: the text is about something else
+    OperationWish wish = {}; ///< of that operation
 };
 
-/// For the operations of the project's shown setup: one that is there already is not to be added.
+/// For the operations of the project's shown setup: one that is there already is not to be added. A further
+/// clean-up takes a tool that none of those before it has.
 VerdictAdvice verdict_advice(const Verification& verification, const Project& project);
-/// "Add Rough": a button that does what is advised; empty where nothing is to be added.
+/// "Add Rough", "Add Clean-up": a button that does what is advised; empty where nothing is to be added.
 QString advised_button(const VerdictAdvice& advice);
 
 } // namespace facetmill::ui

@@ -78,7 +78,7 @@ VerificationPanel::VerificationPanel(Document& document, VerificationModel& mode
     column->addWidget(note_);
     advised_ = new QPushButton(icon(Icon::add), QString(), page);
     advised_->setObjectName(QStringLiteral("advised_button"));
-    connect(advised_, &QPushButton::clicked, this, [this] { emit add_wanted(advice_.add); });
+    connect(advised_, &QPushButton::clicked, this, [this] { emit add_wanted(advice_); });
     column->addWidget(advised_, 0, Qt::AlignLeft);
     verify_ = new QPushButton(icon(Icon::verify), tr("Verify"), page);
     verify_->setObjectName(QStringLiteral("verify_button"));

@@ -41,8 +41,8 @@ signals:
     void verify_requested();
     /// All setups, as one job.
     void verify_all_requested();
-    /// What is advised about a failure: an operation of this kind.
-    void add_wanted(const std::string& kind);
+    /// The operation that is advised about a failure.
+    void add_wanted(const facetmill::ui::VerdictAdvice& advice);
     /// Its place in the model's list.
     void finding_chosen(std::size_t which);
     void range_edited(double low, double high);

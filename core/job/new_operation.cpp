@@ -26,8 +26,9 @@ bool has_flat(const Tool& t) {
 
 class NewOperationMaker {
 public:
-    NewOperationMaker(std::string_view kind, const Project& project)
-        : project_(project), per_(mm_per(project.unit)) {
+    NewOperationMaker(std::string_view kind, const Project& project, const OperationWish& wish)
+        : project_(project), per_(mm_per(project.unit)), wished_tool_(wished(wish.tool)),
+          wished_previous_(wished(wish.previous_tool)) {
         made_.operation = make_operation(kind);
         take_usual_values(*made_.operation, project.unit);
         const auto& all = project.operations;
@@ -41,6 +42,7 @@ public:
                                             [](const auto& o) { return o->kind(); });
         if (like != all.rend()) {
             take_from(**like);
+            if (wished_tool_ || wished_previous_) take_wished();
         } else if (!project_.tools.empty()) {
             copy_from_neighbor();
             switch (made_.operation->purpose()) {
@@ -62,10 +64,30 @@ public:
 private:
     OperationCommon& common() { return made_.operation->common(); }
 
+    const Tool* wished(std::optional<long> number) const {
+        if (!number) return nullptr;
+        if (const Tool* tool = find_tool(project_.tools, *number)) return tool;
+        throw Error(ErrorCode::missing_reference, "tool", "there is no tool " + std::to_string(*number),
+                    "add a tool");
+    }
+
     /// Postures were kept for contact points of that one, regions edited by hand were its.
     void take_from(const Operation& like) {
         made_.operation = like.clone();
         forget_places(*made_.operation);
+    }
+
+    /// What is like another one, but for its tools.
+    void take_wished() {
+        if (made_.operation->purpose() == Purpose::cleaning && made_.operation->has("previous_tool")) {
+            const Tool* previous = wished_previous_;
+            if (!previous)
+                previous = find_tool(project_.tools, std::get<long>(made_.operation->get("previous_tool")));
+            if (previous) clean_up_after(*previous);
+        } else if (wished_tool_) {
+            common().tool = wished_tool_->number;
+        }
+        run_as_tool_says();
     }
 
     /// The one before it where it will stand, else the one after; null where there is none.
@@ -75,10 +97,16 @@ private:
         return all[made_.place > 0 ? made_.place - 1 : 0].get();
     }
 
-    /// The last one of a purpose that will stand before it, else the first after it.
+    /// One that is switched off only where none is on.
     const Operation* nearest(Purpose purpose) const {
+        const Operation* on = nearest(purpose, false);
+        return on ? on : nearest(purpose, true);
+    }
+
+    /// The last one of a purpose that will stand before it, else the first after it.
+    const Operation* nearest(Purpose purpose, bool off) const {
         const auto& all = project_.operations;
-        const auto fits = [&](const auto& o) { return o->purpose() == purpose; };
+        const auto fits = [&](const auto& o) { return o->purpose() == purpose && o->common().off == off; };
         const auto place = all.begin() + std::ptrdiff_t(made_.place);
         for (auto o = place; o != all.begin();)
             if (fits(*--o)) return o->get();
@@ -112,7 +140,7 @@ private:
 
     void rough() {
         const bool turns = made_.operation->turning();
-        const Tool* tool = largest(has_flat);
+        const Tool* tool = wished_tool_ ? wished_tool_ : largest(has_flat);
         if (!tool && turns) tool = largest([](const Tool& t) { return t.taper_angle >= 0; });
         if (!tool && turns) tool = &project_.tools.front();
         if (!tool) tool = &made_.tool.emplace(usual_roughing_tool(project_));
@@ -133,12 +161,13 @@ private:
 
     void finish() {
         if (const Operation* other = nearest(Purpose::finishing)) {
-            common().tool = other->common().tool;
+            common().tool = wished_tool_ ? wished_tool_->number : other->common().tool;
             common().tolerance = other->common().tolerance;
             common().allowance = other->common().allowance;
             return;
         }
-        const Tool* tool = largest([](const Tool& t) { return !has_flat(t) && t.corner_radius > 0; });
+        const Tool* tool = wished_tool_;
+        if (!tool) tool = largest([](const Tool& t) { return !has_flat(t) && t.corner_radius > 0; });
         if (!tool) tool = &project_.tools.front();
         common().tool = tool->number;
         common().tolerance = rounded(finish_share * tool->diameter);
@@ -147,26 +176,32 @@ private:
     void clean_up() {
         const Operation* before = nearest(Purpose::finishing);
         if (!before) before = neighbor();
-        const Tool* previous = &project_.tools.front();
+        const Tool* previous = wished_previous_ ? wished_previous_ : &project_.tools.front();
         if (before) {
-            if (const Tool* its = find_tool(project_.tools, before->common().tool)) previous = its;
+            const Tool* its = find_tool(project_.tools, before->common().tool);
+            if (its && !wished_previous_) previous = its;
             common().tolerance = before->common().tolerance;
             common().allowance = before->purpose() == Purpose::finishing ? before->common().allowance : 0;
         }
-        if (!made_.operation->has("previous_tool")) {
-            common().tool = previous->number; // it goes over the valleys that its own tool left
-            return;
-        }
-        made_.operation->set("previous_tool", previous->number);
+        if (made_.operation->has("previous_tool"))
+            clean_up_after(*previous);
+        else // it goes over the valleys that its own tool left
+            common().tool = wished_tool_ ? wished_tool_->number : previous->number;
+    }
+
+    void clean_up_after(const Tool& previous) {
+        made_.operation->set("previous_tool", previous.number);
         // It comes in where the other one does not: what is as wide as a ball does on floors alone.
-        const bool on_floors = has_flat(*previous);
-        const Tool* tool = largest([&](const Tool& t) {
-            return t.taper_angle >= 0 && t.diameter <= previous->diameter
-                   && t.corner_radius <= previous->corner_radius
-                   && (t.diameter < previous->diameter
-                       || (on_floors && t.corner_radius < previous->corner_radius));
-        });
-        if (!tool) made_.tool = half_of(*previous);
+        const bool on_floors = has_flat(previous);
+        const Tool* tool = wished_tool_;
+        if (!tool)
+            tool = largest([&](const Tool& t) {
+                return t.taper_angle >= 0 && t.diameter <= previous.diameter
+                       && t.corner_radius <= previous.corner_radius
+                       && (t.diameter < previous.diameter
+                           || (on_floors && t.corner_radius < previous.corner_radius));
+            });
+        if (!tool) made_.tool = half_of(previous);
         common().tool = tool ? tool->number : made_.tool->number;
     }
 
@@ -181,11 +216,13 @@ private:
             run_by(*made_.operation, *tool, *data);
     }
 
-    /// A ball of half its size, as slim as that above its flutes.
+    /// A ball of half its size or the next smaller one that is sold, as slim as that above its flutes.
     Tool half_of(const Tool& tool) const {
         Tool half = tool;
         half.number = free_tool_number(project_.tools);
-        half.diameter = half.shank_diameter = 0.5 * tool.diameter;
+        half.diameter = usual_diameter(0.5 * tool.diameter, project_.unit);
+        if (half.diameter > 0.5 * tool.diameter) half.diameter = 0.5 * tool.diameter; // none is so small
+        half.shank_diameter = half.diameter;
         half.corner_radius = 0.5 * half.diameter;
         half.bottom_angle = half.taper_angle = 0;
         half.cutting.clear(); // those of the larger one
@@ -195,13 +232,14 @@ private:
 
     const Project& project_;
     double per_;
+    const Tool *wished_tool_, *wished_previous_; ///< null: not wished
     NewOperation made_;
 };
 
 } // namespace
 
-NewOperation new_operation(std::string_view kind, const Project& project) {
-    return NewOperationMaker(kind, project).run();
+NewOperation new_operation(std::string_view kind, const Project& project, const OperationWish& wish) {
+    return NewOperationMaker(kind, project, wish).run();
 }
 
 } // namespace facetmill

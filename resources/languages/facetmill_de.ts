@@ -16088,8 +16088,8 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was zu tun ist: ein Werkzeug mit längeren Schneiden, oder ein kleineres Aufmaß in Schruppen.</translation>
     </message>
     <message>
-        <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
-        <translation>Was zu tun ist: Restbearbeitung hinzufügen, oder Schlichten mit dem Werkzeug, das dort passt.</translation>
+        <source>What to do: add Clean-up with %1, which fits there.</source>
+        <translation>Was zu tun ist: Restbearbeitung mit %1 hinzufügen, das dort passt.</translation>
     </message>
     <message>
         <source>What to do: add Clean-up, or finish with a smaller tolerance.</source>
@@ -16106,6 +16106,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
         <translation>Was zu tun ist: vor dem Schlichten Schruppen hinzufügen, das wegnimmt, was im Weg steht.</translation>
+    </message>
+    <message>
+        <source>What to do: add another Clean-up, with a smaller tool after %1; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Was zu tun ist: eine weitere Restbearbeitung hinzufügen, mit einem kleineren Werkzeug nach %1; oder zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“.</translation>
     </message>
     <message>
         <source>What to do: finish with a smaller tolerance.</source>

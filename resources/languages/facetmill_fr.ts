@@ -16086,8 +16086,8 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Que faire : un outil à dents plus longues, ou une surépaisseur plus petite dans Ébauche.</translation>
     </message>
     <message>
-        <source>What to do: add Clean-up, or a finish with the tool that fits.</source>
-        <translation>Que faire : ajouter Nettoyage, ou une finition avec l'outil qui y entre.</translation>
+        <source>What to do: add Clean-up with %1, which fits there.</source>
+        <translation>Que faire : ajouter Nettoyage avec %1, qui y entre.</translation>
     </message>
     <message>
         <source>What to do: add Clean-up, or finish with a smaller tolerance.</source>
@@ -16104,6 +16104,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>What to do: add Rough before the finish, which takes the stock away that is in the way.</source>
         <translation>Que faire : ajouter Ébauche avant la finition, pour enlever le brut qui gêne.</translation>
+    </message>
+    <message>
+        <source>What to do: add another Clean-up, with a smaller tool after %1; or accept what stays, by Uncut limit in Verification limits.</source>
+        <translation>Que faire : ajouter un autre Nettoyage, avec un outil plus petit après %1 ; ou accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ».</translation>
     </message>
     <message>
         <source>What to do: finish with a smaller tolerance.</source>

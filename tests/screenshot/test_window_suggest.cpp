@@ -1,6 +1,7 @@
 // Suggestions of operations: looked for, explained, made by a click, taken back by undo; and what is advised
 // about a verification that failed.
 #include "core/job/project.h"
+#include "core/mesh/mesh_io.h"
 #include "core/verify/verify.h"
 #include "tests/screenshot/window_support.h"
 #include "ui/controllers.h"
@@ -9,15 +10,42 @@
 #include "ui/suggest_dialog.h"
 #include "ui/theme.h"
 #include "ui/verdict_advice.h"
+#include "ui/verification_controller.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
 #include <QUndoStack>
 
+#include <array>
+
 using namespace facetmill;
 using namespace facetmill::test;
 using namespace facetmill::ui;
+
+namespace {
+
+/// A closed block, `high` up to `wall` in Y and `low` behind it.
+Mesh step_block(double length, double width, double wall, double low, double high) {
+    Mesh m;
+    const std::array<Vec2, 6> outline{Vec2(0, 0),  {width, 0},   {width, low},
+                                      {wall, low}, {wall, high}, {0, high}};
+    for (const double x : {0.0, length})
+        for (const Vec2& p : outline)
+            m.vertices.emplace_back(x, p.x(), p.y());
+    for (Index k = 0; k < 6; ++k) {
+        const Index next = (k + 1) % 6;
+        m.facets.push_back({k, next, next + 6});
+        m.facets.push_back({k, next + 6, k + 6});
+    }
+    for (const auto& [a, b, c] : {std::array<Index, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
+        m.facets.push_back({a, c, b});
+        m.facets.push_back({a + 6, b + 6, c + 6});
+    }
+    return m;
+}
+
+} // namespace
 
 class TestWindowSuggest : public QObject, public WindowFixture {
     Q_OBJECT
@@ -132,6 +160,15 @@ private slots:
         unseen.area = 3;
         v.uncut = {small, grooves, unseen};
         QVERIFY(says(v, "add Clean-up", "cleanup"));
+        // A button that does enough comes before words about most of it.
+        v.uncut[0].area = 2.5;
+        QVERIFY(says(v, "slimmer holder"));
+        v.uncut_share = 0.04;
+        QVERIFY(says(v, "slimmer holder"));
+        v.uncut_share = 0.035;
+        QVERIFY(says(v, "add Clean-up", "cleanup"));
+        v.uncut_share = 0.307;
+        v.uncut[0].area = 1;
         v.uncut[1].why = UncutReason::Why::stock;
         QVERIFY(says(v, "add Rough", "rough"));
         v.uncut_share = 0.01; // allowed
@@ -151,7 +188,83 @@ private slots:
         v.uncut_share = 0.307;
         v.uncut[1].why = UncutReason::Why::no_tool;
         project.operations.push_back(make_operation("cleanup"));
+        // Another one after it, as long as there are smaller tools.
+        QVERIFY(says(v, "accept what stays"));
+        project.tools.resize(2);
+        project.tools[1].number = 2;
+        project.tools[0].diameter = 2 * (project.tools[1].diameter = 2);
+        project.tools[0].corner_radius = 2 * (project.tools[1].corner_radius = 1);
+        project.operations.back()->common().tool = 2;
+        QVERIFY(says(v, "another Clean-up", "cleanup"));
+        QVERIFY(ui::verdict_advice(v, project).wish.previous_tool == 2);
+        project.tools[1].diameter = 2 * (project.tools[1].corner_radius = 0.25);
         QVERIFY(says(v, "smaller tool in Clean-up"));
+        // Of a flat that cleaned floors after a narrower ball, the ball is what the next one comes after.
+        project.tools[1].diameter = 6;
+        project.tools[1].corner_radius = 0;
+        QVERIFY(says(v, "another Clean-up", "cleanup"));
+        QVERIFY(ui::verdict_advice(v, project).wish.previous_tool == 1);
+    }
+
+    /// Where only the flat that roughs fits, clean-up is to take that one.
+    void a_failure_names_the_tool_that_fits() {
+        Project project;
+        project.tools.resize(2);
+        project.tools[1].number = 2;
+        project.tools[1].name = "Flat 4";
+        project.operations.push_back(make_operation("finish3"));
+        project.operations.push_back(make_operation("rough"));
+        project.operations.back()->common().name = "Block";
+        project.operations.back()->common().tool = 2;
+        UncutReason floors;
+        floors.why = UncutReason::Why::no_operation;
+        floors.program = "Block";
+        floors.area = 1;
+        Verification v;
+        v.used.uncut_limit = 0.02;
+        v.uncut_share = 0.1;
+        v.uncut = {floors};
+        const ui::VerdictAdvice advice = ui::verdict_advice(v, project);
+        QCOMPARE(advice.text, QStringLiteral("What to do: add Clean-up with Flat 4, which fits there."));
+        QCOMPARE(advice.add, std::string("cleanup"));
+        QVERIFY(advice.wish.tool == 2 && !advice.wish.previous_tool);
+        // Not once more, but after one with another tool.
+        project.operations.push_back(make_operation("cleanup"));
+        QVERIFY(ui::verdict_advice(v, project).wish.tool == 2);
+        project.operations.back()->common().tool = 2;
+        QVERIFY(ui::verdict_advice(v, project).add.empty());
+        QVERIFY(ui::verdict_advice(v, project).text.contains(QStringLiteral("a finish with the tool")));
+    }
+
+    /// A floor beside a wall, of which a ball leaves a fillet where the flat that roughs would fit: whoever
+    /// takes the defaults and presses what is advised has a verified job, cleaned up with that flat.
+    void what_is_advised_leads_to_a_verified_job() {
+        const QString file = scratch_folder(QStringLiteral("advised")) + QStringLiteral("/step.stl");
+        save_stl(step_block(24, 14, 7, 2, 9), file.toStdString(), LengthUnit::mm, {});
+        w().open_file(file, LengthUnit::mm);
+        QVERIFY(wait_until_settled(w()));
+        auto* advised = w().findChild<QPushButton*>(QStringLiteral("advised_button"));
+        const ui::VerificationModel& model = w().verification().model();
+        QStringList added;
+        for (int round = 0; round < 4; ++round) {
+            w().plan();
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY2(w().last_failure().isEmpty(), qPrintable(w().last_failure()));
+            w().verify();
+            QVERIFY(wait_until_settled(w()));
+            if (model.verdict() == ui::Verdict::verified) break;
+            QVERIFY2(!advised->isHidden(), qPrintable(model.failure_text()));
+            added << advised->text();
+            advised->click();
+            QVERIFY(wait_until_settled(w()));
+        }
+        QVERIFY2(model.verdict() == ui::Verdict::verified, qPrintable(model.failure_text()));
+        const Project& project = w().document().project();
+        QVERIFY2(added.contains(QStringLiteral("Add Clean-up")), qPrintable(added.join(QChar(','))));
+        const OperationCommon& last = project.operations.back()->common();
+        QCOMPARE(project.operations.back()->kind(), std::string_view("cleanup"));
+        QCOMPARE(last.tool, project.operations.front()->common().tool);
+        QCOMPARE(project.tool_of(*project.operations.back()).corner_radius, 0.0);
     }
 
     void looking_can_be_stopped() {

@@ -124,6 +124,62 @@ private slots:
                  2L);
     }
 
+    /// A half that nobody sells is the next smaller one that somebody does, down to the smallest.
+    void a_tool_that_clean_up_brings_is_sold() {
+        const auto brought = [](double diameter) {
+            return new_operation("cleanup", project_with({listed_tool(1, diameter, 0.5 * diameter)}))
+                .tool->diameter;
+        };
+        QCOMPARE(brought(5), 2.0);
+        QCOMPARE(brought(3), 1.5);
+        QCOMPARE(brought(1.5), 0.5);
+        QCOMPARE(brought(0.5), 0.25);
+    }
+
+    /// A tool that is known to fit, or the one that a smaller one comes after, wherever the operation comes
+    /// from otherwise.
+    void what_is_wished_comes_first() {
+        Project p = project_with(
+            {listed_tool(1, 6, 3), listed_tool(2, 12, 0), listed_tool(3, 4, 2), listed_tool(4, 1, 0.5)});
+        const auto tools = [](const NewOperation& made) {
+            return std::pair(made.operation->common().tool,
+                             std::get<long>(made.operation->get("previous_tool")));
+        };
+        NewOperation flat = new_operation("cleanup", p, {2, {}});
+        QVERIFY(tools(flat) == std::pair(2L, 1L));
+        QVERIFY(!flat.tool);
+        QCOMPARE(flat.operation->common().tolerance, 0.02);
+        insert(p, std::move(flat));
+        check_project(p);
+        // Like the clean-up that is there already, but for the tool.
+        p.operations.back()->common().tolerance = 0.03;
+        NewOperation ball = new_operation("cleanup", p, {3, {}});
+        QVERIFY(tools(ball) == std::pair(3L, 1L));
+        QCOMPARE(ball.operation->common().tolerance, 0.03);
+        insert(p, std::move(ball));
+        NewOperation small = new_operation("cleanup", p, {{}, 3});
+        QVERIFY(tools(small) == std::pair(4L, 3L));
+        insert(p, std::move(small));
+        const NewOperation smaller = new_operation("cleanup", p, {{}, 4});
+        QVERIFY(tools(smaller) == std::pair(5L, 4L));
+        QCOMPARE(smaller.tool->diameter, 0.5);
+        QCOMPARE(new_operation("rough", p, {1, {}}).operation->common().tool, 1L);
+        QCOMPARE(new_operation("finish3", p, {3, {}}).operation->common().tool, 3L);
+        QCOMPARE(new_operation("pencil", p, {3, {}}).operation->common().tool, 3L);
+        QCOMPARE(code_of([&] { new_operation("cleanup", p, {9, {}}); }), std::string("missing_reference"));
+    }
+
+    /// What is switched off has cut nothing.
+    void clean_up_comes_after_a_finish_that_is_on() {
+        Project p = project_with({listed_tool(1, 6, 3), listed_tool(2, 12, 6), listed_tool(3, 2, 1)});
+        insert(p, new_operation("finish5", p));
+        p.operations.front()->common().tool = 2;
+        p.operations.back()->common().off = true;
+        QCOMPARE(std::get<long>(new_operation("cleanup", p).operation->get("previous_tool")), 2L);
+        p.operations.front()->common().off = true;
+        QCOMPARE(std::get<long>(new_operation("cleanup", p).operation->get("previous_tool")), 1L);
+    }
+
     /// Pencil goes over the valleys that the finishing tool itself leaves.
     void every_kind_can_be_added() {
         for (const OperationKind& kind : operation_kinds()) {
