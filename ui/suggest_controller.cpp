@@ -1,6 +1,7 @@
 #include "ui/suggest_controller.h"
 
 #include "core/job/new_operation.h"
+#include "core/job/project_setup.h"
 #include "ui/operation_list.h"
 #include "ui/operation_menu.h"
 #include "ui/suggest_dialog.h"
@@ -74,6 +75,25 @@ QString roughing_words(const Suggestions& all, const Project& project) {
         .arg(text(first_name_of("rough")), text(tool.name),
              shown_length(all.unroughed.highest, project.unit, 3),
              shown_length(all.unroughed.reach, project.unit, 3));
+}
+
+/// More of the surface stays uncut than the verification allows, as hollows are narrower than its cutter, and
+/// nothing is there yet that goes over them.
+bool asks_clean_up(const Suggestion& s, const Project& project) {
+    const auto cleans = [](const Operation* o) { return o->purpose() == Purpose::cleaning; };
+    const bool runs = s.operation->keeps_axis() && !s.operation->turning();
+    return runs && s.result.measures[Measure::uncut_share].value_or(0) > project.limits.uncut_limit
+           && std::ranges::none_of(operations_on(project), cleans);
+}
+
+/// What goes after it, and why; empty where nothing has to.
+QString clean_up_words(const Suggestion& s, const Project& project) {
+    if (!asks_clean_up(s, project)) return {};
+    return SuggestController::tr(
+               "%1 goes after it, with a smaller tool: alone it leaves about %2 % uncut, and "
+               "%3 % is allowed")
+        .arg(text(first_name_of("cleanup")), share_words(s.result.measures[Measure::uncut_share].value_or(0)),
+             share_words(project.limits.uncut_limit));
 }
 
 /// Longer than that takes a word before it is added; seconds of a processor.
@@ -181,6 +201,7 @@ void SuggestController::show() {
         QStringList reasons = reasons_of(*found_, i);
         if (const QString first = roughing_words(*found_, document_.project()); !first.isEmpty())
             reasons.prepend(first);
+        if (const QString last = clean_up_words(s, document_.project()); !last.isEmpty()) reasons << last;
         cards.push_back({operation_picture(std::string(s.operation->kind())), suggestion_title(s),
                          suggestion_figures(s, document_.unit()), reasons});
     }
@@ -203,7 +224,8 @@ void SuggestController::show_stale() {
     dialog_->show_status(tr("The project has changed since: look again to be sure."));
 }
 
-std::size_t SuggestController::put_in(const Operation& suggested, QStringList& off) {
+std::size_t SuggestController::put_in(const Suggestion& suggestion, QStringList& off) {
+    const Operation& suggested = *suggestion.operation;
     const Project& project = document_.project();
     const auto cuts_the_same = [&](const Operation& o) {
         const OperationCommon &its = o.common(), &new_one = suggested.common();
@@ -223,6 +245,7 @@ std::size_t SuggestController::put_in(const Operation& suggested, QStringList& o
     std::vector<std::unique_ptr<Operation>> one;
     one.push_back(std::move(operation));
     document_.add_operations(tr("Add operation"), place, std::move(one), {});
+    if (asks_clean_up(suggestion, project)) document_.add_operation("cleanup");
     return place;
 }
 
@@ -231,7 +254,7 @@ void SuggestController::add(std::size_t i) {
     const auto found = found_; // a step of the history may drop what was found
     QStringList off;
     document_.undo_stack().beginMacro(tr("Add operation"));
-    const std::size_t place = put_in(*found->best[i].operation, off);
+    const std::size_t place = put_in(found->best[i], off);
     document_.undo_stack().endMacro();
     const QString name = text(document_.operation(place).common().name);
     found_for_ = asked(); // with one of them more the others are no worse

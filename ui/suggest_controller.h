@@ -37,7 +37,7 @@ private:
     void add(std::size_t i);
     /// In place of finishing within the same boundaries, which is switched off (their names), and behind
     /// roughing where it needs one; returns its place.
-    std::size_t put_in(const Operation& suggested, QStringList& off);
+    std::size_t put_in(const Suggestion& suggestion, QStringList& off);
 
     Document& document_;
     QWidget* window_ = nullptr;

@@ -10915,6 +10915,10 @@
         <translation>%1 von %2 bis %3</translation>
     </message>
     <message>
+        <source>%1 goes after it, with a smaller tool: alone it leaves about %2 % uncut, and %3 % is allowed</source>
+        <translation>%1 folgt darauf, mit einem kleineren Werkzeug: allein lässt sie etwa %2 % stehen, erlaubt sind %3 %</translation>
+    </message>
+    <message>
         <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the finishing tool comes %4 deep into it</source>
         <translation>%1 geht voraus, mit %2: das Rohteil steht bis zu %3 über dem Teil, und das Schlichtwerkzeug kommt %4 tief hinein</translation>
     </message>

@@ -10915,6 +10915,10 @@
         <translation>%1 de %2 à %3</translation>
     </message>
     <message>
+        <source>%1 goes after it, with a smaller tool: alone it leaves about %2 % uncut, and %3 % is allowed</source>
+        <translation>%1 la suit, avec un outil plus petit : seule, elle laisse environ %2 % non usinés, et %3 % sont permis</translation>
+    </message>
+    <message>
         <source>%1 goes before it, with %2: the stock stands up to %3 above the part, and the finishing tool comes %4 deep into it</source>
         <translation>%1 la précède, avec %2 : le brut dépasse la pièce de %3 au plus, et l'outil de finition y entre de %4</translation>
     </message>
