@@ -45,8 +45,7 @@ void CubePlace::update() {
                       && std::none_of(others.begin(), others.end(), blocks);
     cube_.setVisible(free);
     const QRectF covered = free ? QRectF(cube_.geometry()) : QRectF();
-    viewport_.scene().strips().set_covered({covered.left(), covered.top()},
-                                           {covered.right(), covered.bottom()});
+    viewport_.scene().set_covered({covered.left(), covered.top()}, {covered.right(), covered.bottom()});
 }
 
 bool CubePlace::eventFilter(QObject* object, QEvent* event) {

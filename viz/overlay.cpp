@@ -43,6 +43,7 @@ void Overlay::update(const OverlayContent& content) {
 OverlayLayout Overlay::lay_out(const OverlayContent& content, bool draw) {
     canvas_.set_size(content.width, content.height, content.ratio);
     OverlayLayout layout;
+    layout.covered = content.covered;
     lay_out_legend(content, draw, layout);
     lay_out_title(content, draw, layout);
     lay_out_axes(content, draw, layout);

@@ -68,6 +68,7 @@ struct OverlayContent {
     LengthUnit unit = LengthUnit::mm;
     double mm_per_pixel = 0;  ///< per layout pixel
     double covered_below = 0; ///< layout pixels along the lower edge that something else covers
+    LayoutRect covered;       ///< what something else covers in the lower right corner, above the scale
     bool axes = false;
     std::vector<OverlaySpot> spots; ///< the later ones over the ones before
     std::vector<OverlayNote> notes;
@@ -80,6 +81,7 @@ struct OverlayContent {
 /// Where things stand; empty where there is nothing.
 struct OverlayLayout {
     LayoutRect title, legend, scale, axes;
+    LayoutRect covered; ///< as the content says
 };
 
 class Overlay {

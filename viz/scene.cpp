@@ -241,6 +241,7 @@ OverlayContent Scene::Impl::overlay_content() {
     content.mm_per_pixel = camera.pixel_size() * stage.ratio;
     content.axes = stage.on(Layer::axes);
     content.covered_below = stage.covered_below;
+    content.covered = stage.covered;
     if (all_overlay) {
         using Sample = LegendEntry::Sample;
         content.title = content.subtitle = "-";
@@ -383,6 +384,10 @@ void Scene::set_line_scale(double scale) {
 
 bool Scene::set_covered_below(double pixels) {
     return std::exchange(impl_->stage.covered_below, pixels) != pixels;
+}
+
+void Scene::set_covered(const Vec2& from, const Vec2& to) {
+    impl_->stage.covered = {from.x(), from.y(), to.x(), to.y()};
 }
 
 void Scene::set_palette(Palette palette) {

@@ -87,6 +87,9 @@ public:
     /// Something covers so many logical pixels along the lower edge: axes and scale stand above it. True
     /// where that is new.
     bool set_covered_below(double pixels);
+    /// Something covers this rectangle of the lower right corner, logical pixels from the upper left one:
+    /// what is fitted and labels of strips keep clear of it. Both the same: nothing, as at first.
+    void set_covered(const Vec2& from, const Vec2& to);
     void set_palette(Palette palette);
     Palette palette() const;
     /// Unit of the scale bar. Everything else in a Scene is mm.

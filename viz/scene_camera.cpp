@@ -65,6 +65,11 @@ bool meets(const LayoutRect& r, double by, const Vec2& center, const std::array<
     return true;
 }
 
+LayoutRect around(const LayoutRect& a, const LayoutRect& b) {
+    if (a.empty() || b.empty()) return a.empty() ? b : a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 struct Fit {
     double pixels_per_mm = 0;
     Vec2 center; ///< middle of the box on the screen, layout pixels, y down
@@ -76,7 +81,11 @@ struct Fit {
 Fit best_fit(double width, double height, const OverlayLayout& overlay, const std::array<Vec2, 3>& half) {
     const double reach_x = std::abs(half[0].x()) + std::abs(half[1].x()) + std::abs(half[2].x());
     const double reach_y = std::abs(half[0].y()) + std::abs(half[1].y()) + std::abs(half[2].y());
-    const std::array<LayoutRect, 4> things{overlay.title, overlay.legend, overlay.axes, overlay.scale};
+    // Two things stand one above the other in the lower right corner.
+    const std::array<LayoutRect, 5> things{overlay.title, overlay.legend, overlay.axes, overlay.scale,
+                                           overlay.covered};
+    const std::array<LayoutRect, 4> corners{overlay.title, overlay.legend, overlay.axes,
+                                            around(overlay.scale, overlay.covered)};
     const auto scale_in = [&](const LayoutRect& r) {
         const double sx = reach_x > 0 ? r.width() / (2 * reach_x * fit_margin) : infinity;
         const double sy = reach_y > 0 ? r.height() / (2 * reach_y * fit_margin) : infinity;
@@ -88,7 +97,7 @@ Fit best_fit(double width, double height, const OverlayLayout& overlay, const st
     for (int route = 0; route < 81; ++route) {
         LayoutRect r = all;
         for (int i = 0, rest = route; i < 4; ++i, rest /= 3) {
-            const LayoutRect& t = things[std::size_t(i)];
+            const LayoutRect& t = corners[std::size_t(i)];
             if (t.empty()) continue;
             const bool left = i == 0 || i == 2, top = i < 2;
             if (rest % 3 == 1) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "viz/overlay.h"
 #include "viz/palette.h"
 #include "viz/scene_camera.h"
 #include "viz/scene_steps.h"
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace facetmill {
-
-struct ColorBar;    // overlay.h
-struct LegendEntry; // overlay.h
 
 /// What can be shown and hidden. All but `edges` are shown at first.
 enum class Layer {
@@ -56,6 +54,7 @@ struct SceneStage {
     double ratio = 1;
     double line_scale = 1;
     double covered_below = 0; ///< logical pixels along the lower edge; see Scene::set_covered_below
+    LayoutRect covered;       ///< see Scene::set_covered
     double line_ratio() const { return ratio * line_scale; } ///< pixels of a line of width 1
     bool moving = false;                                     ///< large things are drawn coarsely
     std::vector<bool> layers_on;

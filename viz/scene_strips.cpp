@@ -112,10 +112,6 @@ void SceneStrips::choose(std::optional<std::size_t> strip) {
     apply_line_widths();
 }
 
-void SceneStrips::set_covered(const Vec2& from, const Vec2& to) {
-    covered_ = {from.x(), from.y(), to.x(), to.y()};
-}
-
 void SceneStrips::set_handles(bool on) {
     handles_on_ = on;
 }
@@ -199,7 +195,7 @@ std::vector<OverlayNote> SceneStrips::notes(Overlay& overlay, const OverlayLayou
         return all[a].area > all[b].area;
     });
     FreePlaces places(stage_.camera.window_size().cast<double>() / stage_.ratio,
-                      {layout.title, layout.legend, layout.scale, layout.axes, covered_});
+                      {layout.title, layout.legend, layout.scale, layout.axes, layout.covered});
     std::size_t labels = 0;
     for (const std::size_t i : order) {
         if (labels == max_labels) break;

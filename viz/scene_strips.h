@@ -1,7 +1,6 @@
 // Regions of the surface in a scene: bands, boundary curves, labels, and dots to take hold of.
 #pragma once
 
-#include "viz/overlay.h"
 #include "viz/scene_layer.h"
 #include "viz/strip_display.h"
 
@@ -19,9 +18,6 @@ public:
     void set(StripDisplayPtr strips);
     /// The one, by its place in the list, that stands out.
     void choose(std::optional<std::size_t> strip);
-    /// A part of the window that something else stands on, from its upper left to its lower right corner in
-    /// layout pixels: labels keep off it. Both the same: none.
-    void set_covered(const Vec2& from, const Vec2& to);
     /// Dots on their boundaries that can be picked. Off at first.
     void set_handles(bool on);
     /// The dot nearest to a pixel within `radius` pixels, on the side of the part that is seen.
@@ -46,7 +42,6 @@ private:
     StripDisplayPtr strips_;
     std::optional<std::size_t> chosen_;
     bool handles_on_ = false;
-    LayoutRect covered_;                  ///< where a widget lies over the window
     SceneActors bands_, lines_, handles_; ///< one each per strip
 };
 

@@ -392,18 +392,18 @@ private slots:
         scene.strips().set(display);
         scene.set_antialiasing(false);
         const Picture with = drawn(scene);
-        scene.strips().set_covered({0, 0}, {double(with.width), double(with.height)});
+        scene.set_covered({0, 0}, {double(with.width), double(with.height)});
         const Picture without = window_.render();
         QVERIFY(different_pixels(with, without) > 200);
         // Covered on its right end, it moves to the left; nothing of it is left under the cover.
         const Vec2 at = scene.camera().display_of(strip.label_at);
-        scene.strips().set_covered(at + Vec2(20, -40), at + Vec2(200, 40));
+        scene.set_covered(at + Vec2(20, -40), at + Vec2(200, 40));
         const Picture beside = window_.render();
         QVERIFY(different_pixels(beside, without) > 200);
         for (int y = int(at.y()) - 39; y < int(at.y()) + 39; ++y)
             for (int x = int(at.x()) + 21; x < std::min(beside.width, int(at.x()) + 199); ++x)
                 QCOMPARE(beside.pixel(x, y), without.pixel(x, y));
-        scene.strips().set_covered(Vec2::Zero(), Vec2::Zero());
+        scene.set_covered(Vec2::Zero(), Vec2::Zero());
         QCOMPARE(different_pixels(with, window_.render()), std::size_t(0));
     }
 

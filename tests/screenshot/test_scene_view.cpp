@@ -104,6 +104,23 @@ private slots:
                 }
     }
 
+    /// As the cube of a view does, which stands above the scale.
+    void fitting_keeps_clear_of_what_is_covered() {
+        const LayoutRect cube{520, 300, 630, 420};
+        const Box3 slab{{0, 0, 0}, {300, 300, 10}};
+        for (const StandardView view : {StandardView::iso, StandardView::top, StandardView::front}) {
+            Scene scene;
+            scene.part().set(box_part(slab.lo, slab.hi));
+            window_.show(scene, 640, 480);
+            scene.set_view(view);
+            scene.set_covered({cube.x0, cube.y0}, {cube.x1, cube.y1});
+            scene.fit();
+            const double ratio = double(scene.camera().window_size().x()) / 640;
+            QVERIFY2(!scene.camera().shadow_meets(slab, cube, ratio), view_name(view).data());
+            QVERIFY(scene.camera().shadow_meets(slab, {310, 230, 330, 250}, ratio));
+        }
+    }
+
     void fitting_an_empty_scene_is_harmless() {
         Scene scene;
         window_.show(scene, 300, 200);

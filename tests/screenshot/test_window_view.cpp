@@ -19,10 +19,12 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QWheelEvent>
 
 #include <vtkOpenGLFramebufferObject.h>
@@ -509,6 +511,29 @@ private slots:
         }
         spaces.enter(Workspace::prepare);
         w().layers().set_shown(ViewLayer::stock, true);
+    }
+
+    /// The part that is fitted keeps clear of the cube, in a small view too.
+    void the_cube_stands_beside_the_part() {
+        QVERIFY(open_part());
+        ui::Viewport& view = w().viewport();
+        for (const QSize& size : {QSize(800, 600), QSize(1280, 800)}) {
+            w().resize(size);
+            QVERIFY(wait_until_settled(w()));
+            for (const StandardView from : {StandardView::iso, StandardView::top, StandardView::front}) {
+                view.set_view(from);
+                view.fit();
+                QVERIFY(wait_until_settled(w()));
+                const ui::ViewCube* cube = view.view_cube();
+                if (cube->isHidden()) continue; // no room for it
+                const QRectF at(cube->geometry());
+                shot(w(), QStringLiteral("view-cube-%1-%2").arg(size.width()).arg(int(from)));
+                QVERIFY2(!view.scene().camera().shadow_meets(view.scene().bounds(),
+                                                             {at.left(), at.top(), at.right(), at.bottom()},
+                                                             view.devicePixelRatioF()),
+                         view_name(from).data());
+            }
+        }
     }
 
     void window_state_is_kept() {
