@@ -360,6 +360,18 @@ void ProjectTree::change_setups(const std::function<void()>& change) {
 }
 
 void ProjectTree::show_states() {
+    const auto shown = [this] { return tree_->viewport()->rect(); };
+    QTreeWidgetItem* current = tree_->currentItem();
+    const bool in_sight = current && shown().intersects(tree_->visualItemRect(current));
+    show_each_state();
+    show_verdicts();
+    // What came in above it does not push what was chosen out of the view.
+    current = tree_->currentItem();
+    if (in_sight && current && !shown().contains(tree_->visualItemRect(current)))
+        tree_->scrollToItem(current);
+}
+
+void ProjectTree::show_each_state() {
     // What stands after an operation is known when all of them are planned: then they can be played back.
     const bool known = document_.has_stock() && document_.all_planned();
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
@@ -388,7 +400,6 @@ void ProjectTree::show_states() {
             delete after;
         }
     }
-    show_verdicts();
 }
 
 void ProjectTree::set_verification(const VerificationModel& model) {

@@ -536,6 +536,38 @@ private slots:
         }
     }
 
+    /// What comes into a small tree when all is planned does not push the chosen operation out of it.
+    void a_small_tree_keeps_the_chosen_operation_in_sight() {
+        QVERIFY(open_part());
+        w().document().change(QStringLiteral("Twice"), [](Project& p) {
+            p.tools.front().diameter *= 2;
+            p.tools.front().corner_radius *= 2;
+            p.tools.front().shank_diameter *= 2;
+            p.operations.front()->common().tolerance = 0.03 * mm_per_inch;
+            while (p.tools.size() < 12) {
+                p.tools.push_back(p.tools.back());
+                ++p.tools.back().number;
+            }
+        });
+        w().document().add_operation("finish3");
+        w().tree().select({TreeNode::Kind::operation, 1});
+        QTreeWidget* tree = w().tree().tree();
+        w().resize(1280, 700);
+        QVERIFY(wait_until_settled(w()));
+        const auto in_sight = [&] {
+            return tree->viewport()->rect().contains(tree->visualItemRect(tree->currentItem()));
+        };
+        tree->scrollToItem(tree->currentItem());
+        QVERIFY(in_sight());
+        QVERIFY(tree->verticalScrollBar()->maximum() > 0);
+        const int before = tree->verticalScrollBar()->value();
+        w().plan();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(w().document().all_planned());
+        QVERIFY(in_sight());
+        QVERIFY(tree->verticalScrollBar()->value() > before);
+    }
+
     void window_state_is_kept() {
         w().resize(1010, 707);
         w().findChild<QWidget*>(QStringLiteral("log_dock"))->hide();
