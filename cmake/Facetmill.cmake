@@ -72,7 +72,8 @@ endif()
 # facetmill_room(NAME SOURCES ...): one room of core. Object libraries: an operation that only registers itself would be
 # dropped from a static one. With FACETMILL_SHARED_ROOMS each is a shared library, and a change in it links it alone again
 # instead of all programs. With FACETMILL_CHECKED those of FACETMILL_CHECKED_ROOMS are compiled once more, under sanitizers, as
-# fm_NAME_checked.
+# fm_NAME_checked. The target rooms is all of them.
+add_custom_target(rooms)
 function(facetmill_room name)
     cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
     if(NOT ARG_SOURCES)
@@ -86,10 +87,12 @@ function(facetmill_room name)
         add_library(${target} OBJECT ${ARG_SOURCES})
     endif()
     facetmill_compile_room(${name} ${target} "")
+    add_dependencies(rooms ${target})
     if(FACETMILL_CHECKED AND name IN_LIST FACETMILL_CHECKED_ROOMS)
         add_library(${target}_checked OBJECT EXCLUDE_FROM_ALL ${ARG_SOURCES})
         set_target_properties(${target}_checked PROPERTIES FACETMILL_CHECKED TRUE)
         facetmill_compile_room(${name} ${target}_checked _checked)
+        add_dependencies(rooms ${target}_checked)
     endif()
 endfunction()
 

@@ -4,13 +4,22 @@ facetmill_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 
-# install_missing [PACKAGE ...]: those, or all of packages.txt
-install_missing() {
-    local wanted=("$@") missing=() package
-    [ $# -gt 0 ] || mapfile -t wanted < <(grep -vE '^[[:space:]]*(#|$)' "$facetmill_root/packaging/packages.txt")
-    for package in "${wanted[@]}"; do
-        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+# listed FILE: the packages that a list in this folder names
+listed() { grep -vE '^[[:space:]]*(#|$)' "$facetmill_root/packaging/$1"; }
+
+# missing_of PACKAGE ...: those of them that are not installed
+missing_of() {
+    local package
+    for package; do
+        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || echo "$package"
     done
+}
+
+# install_missing [PACKAGE ...]: those, or all of both lists
+install_missing() {
+    local wanted=("$@") missing=()
+    [ $# -gt 0 ] || mapfile -t wanted < <(listed packages-core.txt && listed packages.txt)
+    mapfile -t missing < <(missing_of "${wanted[@]}")
     [ ${#missing[@]} -eq 0 ] && return 0
     say "Installing: ${missing[*]}"
     local sudo=()
