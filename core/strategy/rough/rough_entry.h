@@ -50,6 +50,8 @@ public:
     /// and the descent to its first point at z: nothing where that stands free, or where plunging is
     /// allowed. False where there is no room for a ramp or a helix.
     bool enter(RoughRoute& route, double z, std::vector<Vec3>& down) const;
+    /// True where the route begins, or made a little longer would begin, where nothing stands; it is made so.
+    bool begin_free(RoughRoute& route, double z) const;
     /// The descent to the first of tips that are not level: nothing where that stands free, or where
     /// plunging is allowed; else a ramp forth and back over their beginning, no deeper than they are. False
     /// where that is too short.
@@ -57,7 +59,6 @@ public:
 
 private:
     bool stands_free(const Vec2& p, double z) const;
-    bool begin_free(RoughRoute& route, double z) const;
     bool ramp(const RoughRoute& route, double z, double shortest, std::vector<Vec3>& down) const;
     bool helix(const RoughRoute& route, double z, std::vector<Vec3>& down) const;
     bool helix_at(const Vec2& end, double z, std::vector<Vec3>& down) const;

@@ -12,6 +12,12 @@ namespace {
 /// A route that begins no farther than this many diameters along free ways from where the last one ended is
 /// cut in one go with it.
 constexpr double longest_join = 10;
+/// But a way on which nothing is left to cut and which is longer than this many diameters is made in rapids,
+/// up and down, where these take less than this share of the time; a rapid takes this share of what the same
+/// length takes at feed.
+constexpr double longest_idle = 2, worth_share = 0.75, rapid_share = 0.1;
+/// How far apart, in diameters, places of such a way are looked at.
+constexpr double idle_step = 0.25;
 /// Shank and holder are asked of pieces of a route this many diameters long. A piece is asked as a whole:
 /// longer ones are as safe, and leave out more.
 constexpr double clear_piece = 0.5;
@@ -109,6 +115,7 @@ bool RoughPasses::join(RoughRoute& route, const LayerRoutes& routes, std::span<c
     for (std::size_t i = 1; i <= points.size(); ++i)
         if (!bodies_.clear(field_, points[i - 1], i < points.size() ? points[i] : route.points.front(), z_))
             return false;
+    if (go_over(points, route)) return false;
     points.insert(points.end(), route.points.begin(), route.points.end());
     std::vector<StockField::Motion> cuts;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -120,6 +127,46 @@ bool RoughPasses::join(RoughRoute& route, const LayerRoutes& routes, std::span<c
     field_.cut(cutter_, cuts, progress_.part(0, 0));
     at_ = route.points.back();
     return true;
+}
+
+/// Whether so much of a way on the layer, with the route at its end, cuts nothing that the tool had better go
+/// up and over to where that ends: there the route begins then.
+bool RoughPasses::go_over(const std::vector<Vec2>& link, RoughRoute& route) const {
+    const double step = idle_step * measures_.diameter;
+    double idle = 0;
+    Vec2 last = link.front();
+    for (std::size_t i = 0; i < link.size(); ++i) {
+        const Vec2 to = i + 1 < link.size() ? link[i + 1] : route.points.front(), d = to - link[i];
+        const double n = std::max(1.0, std::ceil(d.norm() / step));
+        for (double k = 0; k < n; ++k) {
+            const Vec2 next = link[i] + ((k + 1) / n) * d;
+            if (!field_.has_work(cutter_, Vec3(last.x(), last.y(), z_), Vec3(next.x(), next.y(), z_),
+                                 measures_.min_work)) {
+                idle += (next - last).norm();
+                last = next;
+                continue;
+            }
+            if (!is_quicker_over(idle, (last - link.front()).norm())) return false;
+            RoughRoute longer = route;
+            longer.points.assign({last});
+            longer.points.insert(longer.points.end(), link.begin() + std::ptrdiff_t(i) + 1, link.end());
+            longer.points.insert(longer.points.end(), route.points.begin(), route.points.end());
+            longer.before = last;
+            longer.closed = longer.reversible = false;
+            if (!entry_.begin_free(longer, z_)) return false;
+            route = std::move(longer);
+            return true;
+        }
+    }
+    return is_quicker_over(idle, (last - link.front()).norm()) && entry_.begin_free(route, z_);
+}
+
+/// Whether up and over is quicker than a way of this length; `straight`: how far its ends are apart.
+bool RoughPasses::is_quicker_over(double length, double straight) const {
+    const double up = highest_ - z_ + settings_.clearance;
+    // Out of the cut and into it at feed.
+    const double over = 0.5 * measures_.diameter + rapid_share * (2 * up + straight);
+    return length > longest_idle * measures_.diameter && over < worth_share * length;
 }
 
 void RoughPasses::add_late() {

@@ -1,5 +1,6 @@
 // The passes of a roughing plan, cut one after the other: what shank or holder forbid is left out, an entry
-// is found, a route that begins near the last one's end is joined to it, and the stock is cut. Millimetres.
+// is found, a route that begins near the last one's end is joined to it where something is to be cut on the
+// way or the way is short, and the stock is cut. Millimetres.
 #pragma once
 
 #include "core/strategy/plan/path.h"
@@ -42,6 +43,8 @@ public:
 private:
     std::vector<RoughRoute> clear_parts(RoughRoute route);
     bool join(RoughRoute& route, const LayerRoutes& routes, std::span<const FreeContour> contours);
+    bool go_over(const std::vector<Vec2>& link, RoughRoute& route) const;
+    bool is_quicker_over(double length, double straight) const;
     void take(const RoughRoute& route, const std::vector<Vec3>& down);
     void take(const std::vector<Vec3>& tips, const std::vector<Vec3>& down, int layer);
 

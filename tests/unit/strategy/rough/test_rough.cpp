@@ -228,6 +228,33 @@ private slots:
         }
     }
 
+    /// From one side of an island to the other the tool goes up and over, where all between is cut: at feed
+    /// that takes several times as long.
+    void long_ways_without_work_are_left_to_rapids() {
+        const Tool tool = flat_tool(6);
+        const PlanContext c = context(pocket(true), tool, 0.5);
+        const StockCutter cutter{CutterProfile(tool.cutter())};
+        for (const double angle : {0.0, 0.5 * pi, 0.6}) {
+            RoughSettings s = settings(2.5);
+            s.direction = {angle, {}};
+            const StrategyResult r = Rough(s).plan(c, Progress());
+            StockField field = stock_before(c, r.as<RoughPath>()->stock_cell, Progress());
+            double longest = 0;
+            for (const Pass& p : r.passes) {
+                for (std::size_t i = 1; i < p.entry.size(); ++i)
+                    field.cut(cutter, p.entry[i - 1].tip, p.entry[i].tip);
+                double idle = 0;
+                for (std::size_t i = 1; i < p.cl.size(); ++i) {
+                    const Vec3 &a = p.cl[i - 1].tip, &b = p.cl[i].tip;
+                    idle = field.has_work(cutter, a, b, 0.01) ? 0 : idle + (b - a).norm();
+                    longest = std::max(longest, idle);
+                    field.cut(cutter, a, b);
+                }
+            }
+            QVERIFY2(longest <= 2.5 * tool.diameter, qPrintable(QString::number(longest)));
+        }
+    }
+
     void what_is_cut_already_is_air() {
         const Tool tool = flat_tool(6);
         PlanContext c = context(pocket(), tool, 0.5);
