@@ -97,6 +97,27 @@ QMenu* setup_menu(QWidget* parent, const std::function<void(NewSetup)>& add) {
     return menu;
 }
 
+/// What comes into a tree meanwhile does not push what is chosen out of the view.
+class KeptInSight {
+public:
+    explicit KeptInSight(QTreeWidget& tree) : tree_(tree) {
+        const QTreeWidgetItem* chosen = tree_.currentItem();
+        was_ = chosen && view().intersects(tree_.visualItemRect(chosen));
+    }
+    KeptInSight(const KeptInSight&) = delete;
+    KeptInSight& operator=(const KeptInSight&) = delete;
+    ~KeptInSight() {
+        const QTreeWidgetItem* chosen = tree_.currentItem();
+        if (was_ && chosen && !view().contains(tree_.visualItemRect(chosen))) tree_.scrollToItem(chosen);
+    }
+
+private:
+    QRect view() const { return tree_.viewport()->rect(); }
+
+    QTreeWidget& tree_;
+    bool was_ = false;
+};
+
 /// Where the tree gets smaller its selection stays in sight.
 class SelectionKeeper : public QObject {
 public:
@@ -360,18 +381,7 @@ void ProjectTree::change_setups(const std::function<void()>& change) {
 }
 
 void ProjectTree::show_states() {
-    const auto shown = [this] { return tree_->viewport()->rect(); };
-    QTreeWidgetItem* current = tree_->currentItem();
-    const bool in_sight = current && shown().intersects(tree_->visualItemRect(current));
-    show_each_state();
-    show_verdicts();
-    // What came in above it does not push what was chosen out of the view.
-    current = tree_->currentItem();
-    if (in_sight && current && !shown().contains(tree_->visualItemRect(current)))
-        tree_->scrollToItem(current);
-}
-
-void ProjectTree::show_each_state() {
+    const KeptInSight chosen(*tree_);
     // What stands after an operation is known when all of them are planned: then they can be played back.
     const bool known = document_.has_stock() && document_.all_planned();
     for (std::size_t i = 0; i < document_.operation_count(); ++i) {
@@ -400,6 +410,7 @@ void ProjectTree::show_each_state() {
             delete after;
         }
     }
+    show_verdicts();
 }
 
 void ProjectTree::set_verification(const VerificationModel& model) {

@@ -97,7 +97,6 @@ private:
     void go_to_setup();
     void change_setups(const std::function<void()>& change);
     void show_states();
-    void show_each_state();
     void show_verdicts();
     void update_actions();
     void edit_selected();
