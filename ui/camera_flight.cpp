@@ -3,8 +3,16 @@
 #include "ui/viewport.h"
 
 #include <cmath>
+#include <utility>
 
 namespace facetmill::ui {
+
+namespace {
+
+/// Directions of unit length that are as near are the same.
+constexpr double same_sight = 1e-6;
+
+} // namespace
 
 CameraFlight::CameraFlight(Viewport& viewport) : QObject(&viewport), viewport_(viewport) {
     animation_.setDuration(200);
@@ -35,6 +43,29 @@ void CameraFlight::fly_to(const CameraPlace& place) {
     from_ = viewport_.scene().camera().place();
     to_ = place;
     animation_.start();
+}
+
+bool CameraVisit::undisturbed() const {
+    const CameraPlace now = viewport_.scene().camera().place();
+    return flight_.flying()
+           || ((now.toward_eye - at_.toward_eye).norm() < same_sight
+               && (now.up - at_.up).norm() < same_sight);
+}
+
+void CameraVisit::to(const CameraPlace& place) {
+    if (!before_ || !undisturbed()) before_ = viewport_.scene().camera().place();
+    at_ = place;
+    flight_.fly_to(place);
+}
+
+void CameraVisit::back() {
+    const bool leads_back = before_ && undisturbed();
+    const auto before = std::exchange(before_, std::nullopt);
+    if (!leads_back) return;
+    flight_.stop();
+    viewport_.scene().camera().look_at(*before);
+    viewport_.camera_moved();
+    viewport_.fit();
 }
 
 } // namespace facetmill::ui

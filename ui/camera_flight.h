@@ -5,6 +5,8 @@
 
 #include <QVariantAnimation>
 
+#include <optional>
+
 namespace facetmill::ui {
 
 class Viewport;
@@ -23,6 +25,24 @@ private:
     Viewport& viewport_;
     CameraPlace from_, to_;
     QVariantAnimation animation_;
+};
+
+/// Looks at something for a while, and back again.
+class CameraVisit {
+public:
+    CameraVisit(Viewport& viewport, CameraFlight& flight) : viewport_(viewport), flight_(flight) {}
+    /// Flies there; from one visit to the next it is still the first place that `back` leads to.
+    void to(const CameraPlace& place);
+    /// At once, and fitted; not where the view was turned since.
+    void back();
+
+private:
+    bool undisturbed() const;
+
+    Viewport& viewport_;
+    CameraFlight& flight_;
+    std::optional<CameraPlace> before_;
+    CameraPlace at_;
 };
 
 } // namespace facetmill::ui

@@ -4,7 +4,6 @@
 #include "core/mesh/flat_face.h"
 #include "core/mesh/refine.h"
 #include "core/mesh/round_face.h"
-#include "ui/camera_flight.h"
 #include "ui/messages.h"
 #include "ui/point_picker.h"
 #include "ui/text.h"
@@ -45,7 +44,7 @@ double smaller_by_squaring(Mesh part, const Mat3& turn, const Progress& progress
 
 PlaceController::PlaceController(Document& document, Viewport& viewport, Messages& messages, QWidget* window)
     : Controller(window), document_(document), viewport_(viewport), messages_(messages),
-      panel_(new PlacePanel(window)), flight_(new CameraFlight(viewport)),
+      panel_(new PlacePanel(window)), flight_(new CameraFlight(viewport)), visit_(viewport, *flight_),
       steps_(new PlaceSteps(document, viewport, messages, this)), gizmo_(new PlaceGizmo(viewport, this)) {
     connect(panel_, &PlacePanel::order_changed, this, &PlaceController::find_faces);
     connect(panel_, &PlacePanel::face_chosen, this, &PlaceController::show_chosen);
@@ -253,12 +252,11 @@ void PlaceController::show_chosen() {
     const bool shown = i && *i < faces_.size();
     viewport_.scene().support().set(shown ? faces_[*i].outline : std::vector<Vec3>());
     if (shown) {
-        const LyingFace& face = faces_[*i];
         Box3 box;
-        for (const Vec3& p : face.outline)
+        for (const Vec3& p : faces_[*i].outline)
             box.add(p);
         const SceneCamera& camera = viewport_.scene().camera();
-        flight_->fly_to(camera.place_to_see(box.center(), face.down, camera.place().height));
+        visit_.to(camera.place_to_see(box.center(), faces_[*i].down, camera.place().height));
     }
     viewport_.refresh();
 }
@@ -266,6 +264,7 @@ void PlaceController::show_chosen() {
 void PlaceController::lay_chosen() {
     const auto i = panel_->chosen();
     if (!i || *i >= faces_.size()) return;
+    visit_.back();
     auto smaller = std::make_shared<double>(0);
     steps_->lay(
         tr("Lay part on face"),

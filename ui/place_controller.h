@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/background_job.h"
+#include "ui/camera_flight.h"
 #include "ui/controller.h"
 #include "ui/place_gizmo.h"
 #include "ui/place_panel.h"
@@ -15,7 +16,6 @@
 
 namespace facetmill::ui {
 
-class CameraFlight;
 class Messages;
 class Viewport;
 
@@ -67,6 +67,7 @@ private:
     Messages& messages_;
     PlacePanel* panel_ = nullptr;
     CameraFlight* flight_ = nullptr;
+    CameraVisit visit_; ///< to a chosen face, from below
     PlaceSteps* steps_ = nullptr;
     PlaceGizmo* gizmo_ = nullptr;
     bool seen_ = false;

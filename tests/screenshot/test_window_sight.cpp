@@ -12,6 +12,7 @@
 #include "ui/view_cube.h"
 #include "ui/viewport.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
@@ -19,6 +20,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <cmath>
 
@@ -46,6 +48,39 @@ private slots:
     }
     void cleanup() { close_window(); }
     void cleanupTestCase() { ui::SettingsFile::own().clear(); }
+
+    /// A face is shown from where it is seen well; the part that lies on it then, from where one looked
+    /// before. A view that was turned meanwhile stays.
+    void a_laid_part_is_seen_from_where_it_was() {
+        QVERIFY(open_part());
+        ui::Viewport& view = w().viewport();
+        action(w(), "place")->trigger();
+        QVERIFY(wait_until_settled(w()));
+        auto* faces = w().findChild<QTreeWidget*>(QStringLiteral("place_faces"));
+        auto* lay = w().findChild<QAbstractButton*>(QStringLiteral("place_lay"));
+        const auto choose = [&](int row) {
+            faces->setCurrentItem(faces->topLevelItem(row));
+            QVERIFY(wait_until_settled(w()));
+        };
+        for (const bool lies_so : {false, true}) {
+            view.set_view(StandardView::iso);
+            const Vec3 before = view.sight();
+            choose(lies_so ? 1 : 0);
+            choose(lies_so ? 0 : 1);
+            choose(0);
+            QVERIFY2((view.sight() - before).norm() > 0.1, qPrintable(QString::number(view.sight().z())));
+            lay->click();
+            QVERIFY(wait_until_settled(w()));
+            QVERIFY((view.sight() - before).norm() < 1e-6);
+        }
+        w().document().undo_stack().undo();
+        QVERIFY(wait_until_settled(w()));
+        choose(0);
+        view.set_view(StandardView::top);
+        lay->click();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY((view.sight() + Vec3::UnitZ()).norm() < 1e-6);
+    }
 
     /// By menu and key; picked, zoomed and fitted as it is seen; kept for the next start.
     void perspective() {
