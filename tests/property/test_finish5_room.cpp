@@ -1,5 +1,6 @@
 // Finishing with five axes where there is little room: channels that only axes between the nodes of a coarse
-// grid fit into, and the foot of a wall close over the bottom of the stock.
+// grid fit into, leads between its nodes that clear the widest strips, and the foot of a wall close over the
+// bottom of the stock.
 #include "core/strategy/five_axis/five_axis_record.h"
 #include "core/strategy/five_axis/low_passes.h"
 #include "core/strategy/five_axis/posture_path.h"
@@ -79,6 +80,47 @@ private slots:
             QVERIFY2(nearest_centre(centres, Vec3(x, 0, 0)) < 3.2, qPrintable(QString::number(x)));
         const Verification v = judged(part, context, linked(path, context, op), 0.1, path.chord_tolerance);
         QVERIFY(!v.gouged());
+    }
+
+    /// Along a trough of 40 mm a flat end of 6 mm clears most with a lead of 4.3 degrees. The grid has 0,
+    /// with which it cuts the sides, and 8.
+    void strips_as_wide_as_a_lead_between_two_nodes_clears_are_cut_whole() {
+        const Mesh part = height_field([](double, double y) { return 40 - std::sqrt(1600 - y * y); },
+                                       Vec2(-10, -8), Vec2(10, 8), 10, 96);
+        const PlanContext context = five_axis_context(part, cutter("flat"));
+        Finish5Settings s;
+        s.tolerance = 0.05;
+        s.direction = {0, "x"};
+        s.sides = Finish5Settings::Sides::top;
+        s.grid_step = radians(8);
+        s.lead_limits = {0, radians(40)};
+        s.yaw_limits = {0, 0};
+        const Finish5 op(s);
+        const StrategyResult path = op.plan(context, Progress());
+        QCOMPARE(path.cleanup_points, std::size_t(0));
+        QVERIFY(path.stepover_max > 2.5);
+        const Verification v =
+            judged(part, context, linked(path, context, op), s.tolerance, path.chord_tolerance);
+        QVERIFY(!v.gouged());
+        QVERIFY2(v.figures.excess_p999 <= 1.05 * s.tolerance,
+                 qPrintable(QString::number(v.figures.excess_p999)));
+        QCOMPARE(v.figures.uncut_fraction, 0.0);
+    }
+
+    /// Square to an upright wall the tool clears a strip as wide as its flat, and would be level with the
+    /// ground there: strips are as wide as axes clear them that stay over it.
+    void walls_are_cut_whole_by_axes_that_stay_over_the_ground() {
+        const Mesh part = facetmill::test::box(Vec3(-8, -2, 0), Vec3(8, 2, 12));
+        PlanContext context = five_axis_context(part, cutter("bull"));
+        context.machine = find_machine("trunnion-ac");
+        Finish5Settings s;
+        s.tolerance = 0.1;
+        s.grid_step = radians(4);
+        const StrategyResult path = Finish5(s).plan(context, Progress());
+        const std::size_t points = path.five_axis()->points.size();
+        QVERIFY(points > 200);
+        QVERIFY2(50 * path.cleanup_points <= points,
+                 qPrintable(QString("%1 of %2").arg(path.cleanup_points).arg(points)));
     }
 
     /// An upright plate whose foot is half a radius over the bottom of the stock: a ball that touches it

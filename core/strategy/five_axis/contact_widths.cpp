@@ -44,7 +44,9 @@ std::vector<double> outward_from_zero(const std::vector<double>& nodes) {
 
 } // namespace
 
-ContactWidths::ContactWidths(const FiveAxisField& field, double leave) : field_(field), leave_(leave) {
+ContactWidths::ContactWidths(const FiveAxisField& field, double leave)
+    : field_(field), leave_(leave),
+      is_ball_(field.cutter().cutter().r > 0 && field.cutter().cutter().e <= tolerance::contact_distance) {
     if (field.settings().posture != Finish5Settings::PostureChoice::cm2)
         yaws_ = outward_from_zero(field.grid().yaw);
 }
@@ -139,7 +141,12 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
     };
     const StripWidth::Standing upright = width.standing(contact.posture);
     StripWidth::Width lo = width(upright, -1), hi = width(upright, +1);
-    double most = value(lo, hi);
+    // On a wall it may be one that the machine does not hold. Where none is found that it holds, what that
+    // one would clear stands for it.
+    const auto is_held = [&](const PostureValue& posture) { return builder.holds(place.frame, posture); };
+    // A ball clears what it clears whichever way it leans.
+    const auto counts = [&](const PostureValue& posture) { return is_ball_ || is_held(posture); };
+    double most = yaws_.empty() || counts(contact.posture) ? value(lo, hi) : 0;
     const double enough = wanted * wanted;
     const double hollow = std::max(field_.hollowness(place, place.frame.feed), 0.0), r = field_.radius();
     // A strip that makes the value larger is wider than this to both sides. First the one that was not.
@@ -162,23 +169,27 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
         const auto bottom = [&](std::size_t l) {
             return builder.bottom(place.frame, leads[l], yaw, hint, liftable);
         };
-        // Inclined further than one that need hardly be lifted its strip is narrower.
+        // Inclined further than one that is held and need hardly be lifted its strip is narrower.
         const double hardly = lifted_share * field_.cusp();
-        std::size_t asked = 0; // the leads below have to be lifted more
+        std::size_t asked = 0; // the leads below have to be lifted more, or are not held
+        const auto serves = [&](std::size_t l) {
+            const double delta = bottom(l);
+            return delta <= hardly && counts({leads[l], yaw, delta});
+        };
         for (std::size_t l = 0; l < leads.size() && most < enough; ++l) {
             // Lifted clear of the part it holds less still.
             if (!may_be_wider(width.standing({leads[l], yaw, arched}))) continue;
-            while (asked < l && bottom(asked) > hardly)
+            while (asked < l && !serves(asked))
                 ++asked;
             if (asked < l) break;
             const PostureValue posture{leads[l], yaw, bottom(asked++)};
             const StripWidth::Standing at = width.standing({leads[l], yaw, posture.delta + arched});
-            if (posture.delta <= liftable && may_be_wider(at) && builder.holds(place.frame, posture)
+            if (posture.delta <= liftable && may_be_wider(at) && is_held(posture)
                 && width.clears_own_line(posture)) {
                 std::array<StripWidth::Width, 2> to;
                 StripWidth::Width &first = to[harder > 0], &second = to[harder < 0];
                 first = width(at, harder);
-                if (width.may_exceed(at, -harder, most / std::min(first.width, wanted))) {
+                if (first.width > 0 && width.may_exceed(at, -harder, most / std::min(first.width, wanted))) {
                     second = width(at, -harder);
                     if (value(first, second) > most) {
                         most = value(first, second);
@@ -188,7 +199,7 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
                     }
                 }
             }
-            if (posture.delta <= hardly) break;
+            if (posture.delta <= hardly && counts(posture)) break;
         }
     }
     // Strips end in planes of the lattice.

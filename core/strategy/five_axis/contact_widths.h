@@ -49,6 +49,7 @@ private:
 
     const FiveAxisField& field_;
     double leave_;
+    bool is_ball_;             ///< at its tip
     std::vector<double> yaws_; ///< from yaw 0 outward; none where postures have none
 };
 
