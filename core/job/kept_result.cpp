@@ -170,8 +170,8 @@ void code_fields(Coder& coder, T& v) {
 }
 template <class Coder, CodedAs<ContactPlace> T>
 void code_fields(Coder& coder, T& p) {
-    auto& [frame, surface, facet, u, v, s, v_lo, v_hi, kept] = p;
-    coder(frame, surface, facet, u, v, s, v_lo, v_hi, kept);
+    auto& [frame, surface, facet, u, v, s, v_lo, v_hi, kept, estimated] = p;
+    coder(frame, surface, facet, u, v, s, v_lo, v_hi, kept, estimated);
 }
 template <class Coder, CodedAs<FiveAxisRecord::Point> T>
 void code_fields(Coder& coder, T& v) {

@@ -24,6 +24,8 @@ struct ContactPlace {
     double s = 0;                              ///< along the surface's line
     double v_lo = 0, v_hi = 0;                 ///< the strip that the pass has to clear here
     std::optional<std::array<double, 2>> kept; ///< lead and yaw that were chosen by hand
+    /// Lead and yaw by which the widths of the strip were found; none beyond the ends of the surface.
+    std::optional<std::array<double, 2>> estimated;
 };
 
 class FiveAxisField {

@@ -39,9 +39,10 @@ public:
             add(-front * double(k) / double(pieces(front)));
         for (const auto& c : pass_.contacts[l]) {
             add(c.place.s);
+            ContactPlace& p = placed.places.back();
+            if (c.usable) p.estimated = {c.posture.lead, c.posture.yaw};
             if (!c.left) continue;
             // As much as it can do in passing.
-            ContactPlace& p = placed.places.back();
             p.v_lo = std::max(p.v_lo, pass_.v - c.width_lo);
             p.v_hi = std::min(p.v_hi, pass_.v + c.width_hi);
         }

@@ -15,11 +15,12 @@ constexpr std::size_t studied_per_block = 8;
 /// What is asked for of strips that no posture clears, one after the other.
 constexpr std::array strip_shares{0.5, 0.0};
 
-/// The posture kept at a place, lifted as little as cuts nothing, if that is free.
-std::optional<PostureValue> kept_posture(const FiveAxisField& field, const ContactPlace& place,
+/// A lead and yaw, lifted as little as cuts nothing, if that is free.
+std::optional<PostureValue> free_posture(const FiveAxisField& field, const ContactPlace& place,
+                                         const std::optional<std::array<double, 2>>& angles,
                                          const std::vector<RaisedCurve>& curves) {
-    if (!place.kept) return std::nullopt;
-    const auto [lead, yaw] = *place.kept;
+    if (!angles) return std::nullopt;
+    const auto [lead, yaw] = *angles;
     ToolLift::Hint hint;
     const double bottom = field.builder().bottom(place.frame, lead, yaw, hint);
     if (!(bottom <= field.builder().top(place.frame, lead, yaw, curves)) || !(bottom < infinity))
@@ -46,9 +47,15 @@ struct StudiedStrip {
 void find_room(const FiveAxisField& field, ContactPlace& place, const StudiedStrip& strip,
                const Progress& progress) {
     // A posture kept by hand that is free here is taken; one that is not changes nothing.
-    if (has_free_node(strip.space) || kept_posture(field, place, strip.curves)) return;
+    if (has_free_node(strip.space) || free_posture(field, place, place.kept, strip.curves)) return;
     const bool looks_between = field.settings().posture == Finish5Settings::PostureChoice::global;
-    if (looks_between && !strip.curves.empty())
+    // Leads of a degree or less, by which a flat end clears wide strips of what is hardly bent, lie between
+    // the nodes of most grids.
+    const auto as_estimated = [&](const ContactPlace& at, const std::vector<RaisedCurve>& curves) {
+        if (const auto posture = free_posture(field, at, at.estimated, curves)) strip.between = {*posture};
+        return !strip.between.empty();
+    };
+    if (looks_between && !strip.curves.empty() && !as_estimated(place, strip.curves))
         strip.between = free_between_nodes(field.builder(), strip.space, strip.curves);
     if (!strip.between.empty() || place.v_lo == place.v_hi) return;
     for (const double share : strip_shares) {
@@ -59,10 +66,13 @@ void find_room(const FiveAxisField& field, ContactPlace& place, const StudiedStr
         if (fewer.empty()) continue; // nothing to clear would be cleared by a tool far above the part
         CSpace other = field.builder().build(narrow.frame, fewer, progress);
         if (!has_free_node(other)) {
-            // Of half a strip the grid has to know: its own line asks for less.
-            if (!looks_between || share > 0) continue;
-            strip.between = free_between_nodes(field.builder(), other, fewer);
-            if (strip.between.empty()) continue;
+            if (!looks_between) continue;
+            if (!as_estimated(narrow, fewer)) {
+                // Of half a strip the grid has to know: its own line asks for less.
+                if (share > 0) continue;
+                strip.between = free_between_nodes(field.builder(), other, fewer);
+                if (strip.between.empty()) continue;
+            }
         }
         place = narrow;
         strip.curves = std::move(fewer);
@@ -97,7 +107,7 @@ PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace
         point.space = &study.spaces[i];
         point.curves = &study.curves[i];
         point.cm2_lead = field.cm2_lead(places[i]);
-        point.kept = kept_posture(field, places[i], study.curves[i]);
+        point.kept = free_posture(field, places[i], places[i].kept, study.curves[i]);
         point.between = std::move(between[i]);
         study.points.push_back(std::move(point));
     }

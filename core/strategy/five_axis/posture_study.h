@@ -23,9 +23,10 @@ struct PostureStudy {
 };
 
 /// Postures kept by hand at the places are taken where they are free (PassPoint::kept). Where no posture on
-/// the grid clears the strip of a place, those between its nodes are looked at for the global choice
-/// (PassPoint::between); where none is found less of the strip is asked for, in the end the pass's own line
-/// alone; where that helps, the place has the narrower strip from then on.
+/// the grid clears the strip of a place, for the global choice that by which its width was estimated is taken
+/// or those between nodes are looked at (PassPoint::between); where none is found less of the strip is asked
+/// for, in the end the pass's own line alone; where that helps, the place has the narrower strip from then
+/// on.
 PostureStudy study_postures(const FiveAxisField& field, std::vector<ContactPlace>& places,
                             const Progress& progress);
 
