@@ -146,7 +146,7 @@ void SceneCanvas::paint_gl() {
     scene_.set_pixel_ratio(ratio);
     scene_.set_line_scale(std::clamp(height() / ordinary_height, 1.0, widest));
     // What is shown in another workspace may have a larger legend.
-    if (fitted_ && (resized || scene_.legend_came_over())) scene_.fit();
+    if (fitted_ && (resized || (!holds_view() && scene_.legend_came_over()))) scene_.fit();
     coarse_ = !std::exchange(whole_, false) && slow();
     // New content goes to the graphics card in its first picture, which says nothing about the later ones. It
     // does so by steps, as long as nobody turns it; until then the old picture stands.

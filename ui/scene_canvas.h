@@ -59,6 +59,8 @@ protected:
     /// What the user holds: a view that is dragged stays coarse, also while it is held still.
     enum class Hand { free, drags_in_view, paints, drags_view };
     virtual Hand hand() const { return Hand::free; }
+    /// What is fitted stays where it is, whatever comes over it, until the window's size changes.
+    virtual bool holds_view() const { return false; }
     /// Nothing was moved or zoomed since the last fit: the picture keeps fitting the window.
     void set_fitted(bool fitted) { fitted_ = fitted; }
     bool is_fitted() const { return fitted_; }

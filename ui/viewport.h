@@ -66,6 +66,7 @@ signals:
 
 protected:
     Hand hand() const override;
+    bool holds_view() const override { return tool_ != nullptr; } ///< nobody paints what slips away
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
