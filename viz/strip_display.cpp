@@ -37,11 +37,6 @@ private:
 
 } // namespace
 
-std::string area_text(double mm2, LengthUnit unit) {
-    const double per = mm_per(unit);
-    return format_number(mm2 / (per * per), 3) + " " + std::string(unit_name(unit)) + "²";
-}
-
 Rgb strip_color(std::size_t number, bool enabled, Palette palette) {
     const Colors& colors = colors_of(palette);
     return enabled ? colors.strips[number % colors.strips.size()] : colors.strip_off;
@@ -65,7 +60,7 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
         one.color = number++;
         one.enabled = s.enabled;
         one.area = s.area;
-        one.name = s.name + " · " + area_text(s.area, unit);
+        one.name = s.name + " · " + area_text(s.area, unit, 3);
         one.detail = (s.enabled ? "" : "switched off · ") + s.reason
                      + (s.tool > 0 ? " · tool " + std::to_string(s.tool) : std::string(" · no tool yet"));
         Points points(one.points, display->center);

@@ -43,7 +43,4 @@ StripDisplayPtr prepare_strip_display(const std::vector<Strip>& strips, LengthUn
 /// that is switched off is grey.
 Rgb strip_color(std::size_t number, bool enabled, Palette palette);
 
-/// "310 mm²", "0.48 in²".
-std::string area_text(double mm2, LengthUnit unit);
-
 } // namespace facetmill

@@ -102,6 +102,11 @@ std::string format_number(double value, int digits) {
     return text == "-0" ? "0" : text;
 }
 
+std::string area_text(double mm2, LengthUnit unit, int digits) {
+    return format_number(mm2 / core_per_edge(Quantity::area, unit), digits) + " "
+           + std::string(edge_unit_name(Quantity::area, unit));
+}
+
 std::string length_text(double mm, LengthUnit unit, int digits) {
     // What is less was not measured, and is nothing that a machine could do.
     const double least = unit == LengthUnit::mm ? 1e-4 : 1e-5, nothing = 1e-9;

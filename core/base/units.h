@@ -64,6 +64,8 @@ std::string format_number(double value, int digits = 6);
 
 /// A length of `mm` as a message shows it in `unit`: "1.143 mm", "0.045 in".
 std::string length_text(double mm, LengthUnit unit, int digits = 4);
+/// The same of an area: "1.143 mm²", "0.045 in²".
+std::string area_text(double mm2, LengthUnit unit, int digits = 4);
 
 /// "0.4 s", "12 s", "3 min 20 s", "1 h 05 min"; a dash for what is no duration.
 std::string duration_text(double seconds);

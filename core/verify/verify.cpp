@@ -151,11 +151,6 @@ std::shared_ptr<const DeviationSurface> published(SurfaceSamples&& samples,
     return surface;
 }
 
-std::string square_text(double mm2, LengthUnit unit) {
-    return format_number(mm2 / core_per_edge(Quantity::area, unit), 3) + " "
-           + std::string(edge_unit_name(Quantity::area, unit));
-}
-
 /// What was not judged, and why.
 /// `asked`: the spacing wanted was asked for, not the resolution.
 std::vector<std::string> remarks_on(const SurfaceSamples& samples, const VerifySettings& used, bool asked,
@@ -293,7 +288,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
         if (r.why == UncutReason::Why::upright)
             v.remarks.push_back("Upright walls ask for no pass of their own: more than twice the tolerance "
                                 "stays on "
-                                + square_text(r.area, v.used.unit) + " of them, up to "
+                                + area_text(r.area, v.used.unit, 3) + " of them, up to "
                                 + length_text(r.excess_max, v.used.unit, 3)
                                 + ", which is no part of the verdict.");
     if (sides.turned_facets > 0)

@@ -285,11 +285,6 @@ std::string why_unreached(const UnreachedPiece& piece) {
     return "it faces down; turn the part over and cut it in another setup";
 }
 
-std::string area_text(double mm2, const PlanText& text) {
-    const double unit = mm_per(text.unit);
-    return format_number(mm2 / (unit * unit), 4) + " " + std::string(unit_name(text.unit)) + "²";
-}
-
 /// Cuts a part side by side: the pieces of part_sides.h one after the other, and their paths as one.
 class SidePlanner {
 public:
@@ -396,7 +391,7 @@ private:
         const std::size_t count = sides_.unreached.size();
         for (std::size_t i = 0; i < std::min(count, max_told); ++i) {
             const UnreachedPiece& piece = sides_.unreached[i];
-            result_.warnings.push_back("cannot be reached: " + area_text(piece.area, text_)
+            result_.warnings.push_back("cannot be reached: " + area_text(piece.area, text_.unit)
                                        + " of the surface (" + share_text(piece.area, sides_.whole_area)
                                        + ") around " + text_(piece.place) + ": " + why_unreached(piece));
         }
@@ -488,7 +483,7 @@ StrategyResult Finish5::plan(const PlanContext& context, const Progress& progres
     if (sides.far_area > 0) {
         const PlanText text{context.unit};
         result.warnings.push_back(
-            area_text(sides.far_area, text) + " of the surface ("
+            area_text(sides.far_area, text.unit) + " of the surface ("
             + share_text(sides.far_area, sides.whole_area) + ") around " + text(sides.far_place)
             + " turns under so far that only leads above the lead limits reach it, and is not cut: turn the "
               "part over and cut it in another setup, or raise the upper lead limit for the whole part");
