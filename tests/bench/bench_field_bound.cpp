@@ -25,13 +25,6 @@ namespace {
 /// Of a sample: its facets are to be no part of what is measured.
 constexpr double mesh_tolerance = 0.01;
 
-Box3 box_of(const Mesh& mesh) {
-    Box3 box;
-    for (const Vec3& p : mesh.vertices)
-        box.add(p);
-    return box;
-}
-
 double number(int argc, char** argv, int i, double otherwise) {
     return argc > i ? std::atof(argv[i]) : otherwise;
 }
@@ -51,7 +44,7 @@ int main(int argc, char** argv) {
     MeshPtr mesh;
     if (std::filesystem::exists(part)) {
         Mesh read = *load_mesh(part, MeshReading{}, Progress()).mesh;
-        const double scale = size / box_of(read).size().maxCoeff();
+        const double scale = size / read.box().size().maxCoeff();
         for (Vec3& p : read.vertices)
             p *= scale;
         mesh = std::make_shared<const Mesh>(std::move(read));
@@ -61,7 +54,7 @@ int main(int argc, char** argv) {
     PlanContext context;
     context.part = mesh;
     context.contact = std::make_shared<ContactIndex>(mesh, Progress());
-    context.part_box = context.stock_box = box_of(*mesh);
+    context.part_box = context.stock_box = mesh->box();
     context.machine = find_machine("trunnion-ac");
     context.tool.diameter = context.tool.shank_diameter = diameter;
     context.tool.corner_radius = corner;

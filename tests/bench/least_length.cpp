@@ -2,13 +2,12 @@
 
 #include "core/strategy/five_axis/contact_widths.h"
 #include "core/strategy/five_axis/strip_width.h"
-#include "core/strategy/global_local/coverage.h"
-#include "core/strategy/surface/point_grid.h"
+#include "tests/bench/sampled_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <tuple>
 
 namespace facetmill {
@@ -29,25 +28,17 @@ const double spread = std::tan(radians(15));
 class LengthSearch {
 public:
     LengthSearch(const PlanContext& context, const Finish5Settings& settings, const Progress& progress)
-        : context_(context), settings_(settings) {
-        const UpSide up(*context.part, progress);
-        if (!context_.geometry) context_.geometry = compute_geometry(*context.part, progress);
-        if (!context_.curvatures)
-            context_.curvatures = std::make_shared<std::vector<VertexCurvature>>(
-                vertex_curvatures(*context.part, context_.geometry->vertex_normals, progress));
-        radius_ = CutterProfile(context.tool.cutter()).max_radius();
-        samples_ =
-            surface_samples(*context.part, context_.geometry->vertex_normals, up, place_share * radius_);
-        std::vector<Vec3> points;
-        for (const SurfaceSample& s : samples_)
-            points.push_back(s.point);
-        grid_.emplace(std::move(points), speaks_share * radius_);
+        : settings_(settings), surface_(context, place_share, speaks_share, progress) {
+        PlanContext& own = surface_.context;
+        if (!own.curvatures)
+            own.curvatures = std::make_shared<std::vector<VertexCurvature>>(
+                vertex_curvatures(*own.part, own.geometry->vertex_normals, progress));
     }
 
     LeastLength run(const Progress& progress) {
         LeastLength least;
         least.straight = least.straight_steady = infinity;
-        std::vector<double> free(samples_.size(), 0), steady = free;
+        std::vector<double> free(surface_.samples.size(), 0), steady = free;
         for (int d = 0; d < direction_count; ++d) {
             const double angle = pi * d / direction_count;
             const std::vector<double> own =
@@ -59,20 +50,20 @@ public:
                 least.straight_direction = angle;
             }
             least.straight_steady = std::min(least.straight_steady, length_by(slow));
-            for (std::size_t i = 0; i < samples_.size(); ++i) {
+            for (std::size_t i = 0; i < surface_.samples.size(); ++i) {
                 free[i] = std::max(free[i], own[i]);
                 steady[i] = std::max(steady[i], slow[i]);
             }
         }
-        for (std::size_t i = 0; i < samples_.size(); ++i)
-            if (free[i] > 0) least.area += samples_[i].area;
+        for (std::size_t i = 0; i < surface_.samples.size(); ++i)
+            if (free[i] > 0) least.area += surface_.samples[i].area;
         least.free = length_by(free);
         least.steady = length_by(steady);
         std::vector<double> near = free;
-        const double reach = near_share * radius_;
-        for (std::size_t i = 0; i < samples_.size(); ++i)
+        const double reach = near_share * surface_.radius;
+        for (std::size_t i = 0; i < surface_.samples.size(); ++i)
             if (free[i] > 0)
-                grid_->near(samples_[i].point, reach, [&](std::size_t k) {
+                surface_.grid.near(surface_.samples[i].point, reach, [&](std::size_t k) {
                     if (beside(i, k, reach)) near[i] = std::max(near[i], free[k]);
                 });
         least.near = length_by(near);
@@ -83,27 +74,27 @@ private:
     /// Places without a strip are not cut and take nothing.
     double length_by(const std::vector<double>& widths) const {
         double length = 0;
-        for (std::size_t i = 0; i < samples_.size(); ++i)
-            if (widths[i] > 0) length += samples_[i].area / widths[i];
+        for (std::size_t i = 0; i < surface_.samples.size(); ++i)
+            if (widths[i] > 0) length += surface_.samples[i].area / widths[i];
         return length;
     }
 
     bool beside(std::size_t i, std::size_t k, double reach) const {
-        return (samples_[i].point - samples_[k].point).squaredNorm() <= reach * reach
-               && samples_[i].normal.dot(samples_[k].normal) > 0;
+        return (surface_.samples[i].point - surface_.samples[k].point).squaredNorm() <= reach * reach
+               && surface_.samples[i].normal.dot(surface_.samples[k].normal) > 0;
     }
 
     /// Of every sample the strip on the surface, mm, in that direction; 0: no posture serves.
     std::vector<double> along(double angle, const Progress& progress) const {
         Finish5Settings settings = settings_;
         settings.direction = {angle, ""};
-        const FiveAxisField field(context_, settings, progress.part(0, 0.2));
+        const FiveAxisField field(surface_.context, settings, progress.part(0, 0.2));
         const ContactWidths widths(field, 0);
         const auto& lines = field.lines();
-        const double apart = place_share * radius_, reach = speaks_share * radius_;
+        const double apart = place_share * surface_.radius, reach = speaks_share * surface_.radius;
         const long step = std::max(1L, std::lround(apart / lines.spacing()));
         const long end = lines.beyond(lines.hi(), lines.lo());
-        std::vector<double> best(samples_.size(), 0), nearest(samples_.size(), infinity);
+        std::vector<double> best(surface_.samples.size(), 0), nearest(surface_.samples.size(), infinity);
         for (long plane = 1; plane < end; plane += step) {
             std::array<std::vector<EstimatedContact>, 2> ways;
             for (const SurfaceLine& line : lines.lines(lines.v(plane))) {
@@ -119,10 +110,10 @@ private:
             for (std::size_t c = 0; c < ways[0].size(); ++c) {
                 const double strip = std::max(strip_of(ways[0][c], field), strip_of(ways[1][c], field));
                 const ContactPlace& place = ways[0][c].place;
-                grid_->near(place.surface, reach, [&](std::size_t i) {
-                    const double away = (samples_[i].point - place.surface).norm();
+                surface_.grid.near(place.surface, reach, [&](std::size_t i) {
+                    const double away = (surface_.samples[i].point - place.surface).norm();
                     if (!(away < std::min(nearest[i], reach))
-                        || !(samples_[i].normal.dot(place.frame.normal) > 0))
+                        || !(surface_.samples[i].normal.dot(place.frame.normal) > 0))
                         return;
                     nearest[i] = away;
                     best[i] = strip;
@@ -136,7 +127,7 @@ private:
         if (!c.usable) return 0;
         const double from_above = std::min(c.width_lo + c.width_hi, 2 * StripWidth::max_width(field));
         return std::clamp(from_above / std::max(std::abs(field.across(c.place)), least_slope),
-                          least_width * radius_, 2 * radius_);
+                          least_width * surface_.radius, 2 * surface_.radius);
     }
 
     /// Strips no wider than those before and behind along the travel, and what passes spread by from there.
@@ -148,17 +139,19 @@ private:
             std::size_t sample;
         };
         std::vector<Stop> stops;
-        for (std::size_t i = 0; i < samples_.size(); ++i)
+        for (std::size_t i = 0; i < surface_.samples.size(); ++i)
             if (widths[i] > 0)
-                stops.push_back({std::lround(samples_[i].point.dot(across) / (place_share * radius_)),
-                                 samples_[i].point.dot(travel), i});
+                stops.push_back(
+                    {std::lround(surface_.samples[i].point.dot(across) / (place_share * surface_.radius)),
+                     surface_.samples[i].point.dot(travel), i});
         std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) {
             return std::tie(a.row, a.u, a.sample) < std::tie(b.row, b.u, b.sample);
         });
         std::vector<double> held = widths;
         const auto hold = [&](const Stop& stop, const Stop& by) {
             if (stop.row != by.row) return;
-            const double away = (samples_[stop.sample].point - samples_[by.sample].point).norm();
+            const double away =
+                (surface_.samples[stop.sample].point - surface_.samples[by.sample].point).norm();
             held[stop.sample] = std::min(held[stop.sample], held[by.sample] + spread * away);
         };
         for (std::size_t k = 1; k < stops.size(); ++k)
@@ -168,11 +161,8 @@ private:
         return held;
     }
 
-    PlanContext context_;
     const Finish5Settings& settings_;
-    double radius_ = 0;
-    std::vector<SurfaceSample> samples_;
-    std::optional<PointGrid> grid_;
+    SampledSurface surface_;
 };
 
 } // namespace

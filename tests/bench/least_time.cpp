@@ -2,12 +2,11 @@
 
 #include "core/strategy/five_axis/strip_width.h"
 #include "core/strategy/five_axis/tilted_stepover.h"
-#include "core/strategy/global_local/coverage.h"
-#include "core/strategy/surface/point_grid.h"
+#include "tests/bench/sampled_surface.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 namespace facetmill {
 
@@ -41,28 +40,19 @@ class Search {
 public:
     Search(const PlanContext& context, const Finish5Settings& settings, double ball_diameter,
            const Progress& progress)
-        : context_(context), settings_(settings), ball_diameter_(ball_diameter) {
-        const UpSide up(*context.part, progress);
-        if (!context_.geometry) context_.geometry = compute_geometry(*context.part, progress);
-        radius_ = CutterProfile(context.tool.cutter()).max_radius();
-        samples_ =
-            surface_samples(*context.part, context_.geometry->vertex_normals, up, sample_share * radius_);
-        std::vector<Vec3> points;
-        for (const SurfaceSample& s : samples_)
-            points.push_back(s.point);
-        grid_.emplace(std::move(points), reach_share * radius_);
-    }
+        : settings_(settings), surface_(context, sample_share, reach_share, progress),
+          ball_diameter_(ball_diameter) {}
 
     LeastTime run(const Progress& progress) {
         LeastTime least;
         least.straight_seconds = infinity;
-        std::vector<Strips> best(samples_.size());
+        std::vector<Strips> best(surface_.samples.size());
         for (int d = 0; d < directions; ++d) {
             const double angle = pi * d / directions;
             const std::vector<Strips> own =
                 along(angle, progress.part(double(d) / directions, double(d + 1) / directions));
             double seconds = 0;
-            for (std::size_t i = 0; i < samples_.size(); ++i) {
+            for (std::size_t i = 0; i < surface_.samples.size(); ++i) {
                 best[i].widen(own[i]);
                 seconds += seconds_of(i, std::max(own[i].flat, own[i].ball));
             }
@@ -70,14 +60,14 @@ public:
             least.straight_seconds = seconds;
             least.direction = angle;
         }
-        for (std::size_t i = 0; i < samples_.size(); ++i) {
+        for (std::size_t i = 0; i < surface_.samples.size(); ++i) {
             const auto [flat, ball] = best[i];
             const double seconds = seconds_of(i, std::max(flat, ball));
-            least.area += samples_[i].area;
+            least.area += surface_.samples[i].area;
             least.seconds += seconds;
             least.ball_alone_seconds += seconds_of(i, ball);
             if (flat > ball) continue;
-            least.ball_area += samples_[i].area;
+            least.ball_area += surface_.samples[i].area;
             least.ball_seconds += seconds;
         }
         return least;
@@ -86,19 +76,20 @@ public:
 private:
     /// Where no contact came near, the strip is as wide as the cutter.
     double seconds_of(std::size_t sample, double width) const {
-        return samples_[sample].area / (width > 0 ? width : 2 * radius_) / (settings_.feed / 60);
+        return surface_.samples[sample].area / (width > 0 ? width : 2 * surface_.radius)
+               / (settings_.feed / 60);
     }
 
     std::vector<Strips> along(double angle, const Progress& progress) const {
         Finish5Settings settings = settings_;
         settings.direction = {angle, ""};
-        const FiveAxisField field(context_, settings, progress.part(0, 0.2));
+        const FiveAxisField field(surface_.context, settings, progress.part(0, 0.2));
         const TiltedStepOver widths(field);
         const auto& lines = field.lines();
-        const double reach = reach_share * radius_, cusp = field.cusp() - field.chord();
-        const long step = std::max(1L, std::lround(plane_share * radius_ / lines.spacing()));
+        const double reach = reach_share * surface_.radius, cusp = field.cusp() - field.chord();
+        const long step = std::max(1L, std::lround(plane_share * surface_.radius / lines.spacing()));
         const long end = lines.beyond(lines.hi(), lines.lo());
-        std::vector<Strips> best(samples_.size());
+        std::vector<Strips> best(surface_.samples.size());
         for (long plane = 1; plane < end; plane += step)
             for (const int travel : {1, -1}) {
                 const EstimatedPass pass = widths.widest(plane, travel, progress.part(0.2, 1));
@@ -106,9 +97,9 @@ private:
                     for (const auto& c : contacts) {
                         const Strips here{c.usable ? flat_width(c, field, widths) : 0,
                                           ball_strip(ball_diameter_, field.hollowness(c.place), cusp)};
-                        grid_->near(c.place.surface, reach, [&](std::size_t i) {
-                            if ((samples_[i].point - c.place.surface).squaredNorm() <= reach * reach
-                                && samples_[i].normal.dot(c.place.frame.normal) > 0)
+                        surface_.grid.near(c.place.surface, reach, [&](std::size_t i) {
+                            if ((surface_.samples[i].point - c.place.surface).squaredNorm() <= reach * reach
+                                && surface_.samples[i].normal.dot(c.place.frame.normal) > 0)
                                 best[i].widen(here);
                         });
                     }
@@ -122,14 +113,12 @@ private:
         const double from_above =
             std::min((c.width_lo + c.width_hi) / StripWidth::used_width, widths.passes().largest_step());
         const double slope = std::abs(field.drive().v(c.place.frame.left));
-        return std::min(from_above / std::max(slope, steepest), 2 * radius_);
+        return std::min(from_above / std::max(slope, steepest), 2 * surface_.radius);
     }
 
-    PlanContext context_;
     const Finish5Settings& settings_;
-    double ball_diameter_, radius_ = 0;
-    std::vector<SurfaceSample> samples_;
-    std::optional<PointGrid> grid_;
+    SampledSurface surface_;
+    double ball_diameter_;
 };
 
 } // namespace
