@@ -42,7 +42,8 @@ QImage shot(QWidget& widget, const QString& name) {
         (void)QTest::qWaitFor([view] { return view->finished(); }, patience_ms);
     const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
     QDir().mkpath(QStringLiteral(FACETMILL_PICTURE_OUT));
-    image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/%1.png").arg(name));
+    image.save(QStringLiteral(FACETMILL_PICTURE_OUT "/%1.png").arg(name), "PNG",
+               80); // lightly packed: there are hundreds
     return image;
 }
 
