@@ -1,8 +1,11 @@
 #include "core/study/previewed.h"
 
+#include "core/base/tolerances.h"
+#include "core/job/axis_view.h"
 #include "core/job/project_setup.h"
 #include "core/job/work_estimate.h"
 #include "core/strategy/preview/coarse_tips.h"
+#include "core/strategy/surface/slope_facets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +130,20 @@ double uncut_beside(const PassPreview& preview, const CoarseGround& ground) {
     return all > 0 ? double(uncut) / double(all) : 0;
 }
 
+/// Of the surface that faces a tool turned upright by `turn`, without walls along it, which ask for no pass.
+double share_beyond(const Interval& slopes, const Mesh& mesh, const Mat3& turn, const Progress& progress) {
+    const std::vector<double> slope = facet_slopes(mesh, false, turn, progress);
+    const double upright = std::acos(tolerance::vertical_normal_z);
+    double all = 0, beyond = 0;
+    for (std::size_t f = 0; f < slope.size(); ++f) {
+        if (slope[f] > upright) continue;
+        const double area = mesh.facet_cross(f).norm();
+        all += area;
+        if (slope[f] < slopes.lo || slope[f] > slopes.hi) beyond += area;
+    }
+    return all > 0 ? beyond / all : 0;
+}
+
 } // namespace
 
 PreviewedOperation previewed_operation(PassPreviewer& previewer, const Project& project, std::size_t i,
@@ -158,6 +175,11 @@ PreviewedOperation previewed_operation(PassPreviewer& previewer, const Project& 
     }
     const double every = double(preview.drawn_every);
     made.uncut_share = stock.uncut_share(common.allowance + every * every * common.tolerance);
+    // A grid seen from above has few cells on what is steep, and forgives much there.
+    if (const auto slopes = slope_limits_of(operation))
+        made.uncut_share =
+            std::max(made.uncut_share,
+                     share_beyond(*slopes, *part.mesh, turn_upright(operation.tool_axis()), progress));
     return made;
 }
 

@@ -9,6 +9,13 @@
 
 namespace facetmill {
 
+std::optional<Interval> slope_limits_of(const Operation& operation) {
+    if (operation.has("slope_limit")) return Interval{0, std::get<double>(operation.get("slope_limit"))};
+    if (!operation.has("slope_limits")) return std::nullopt;
+    const auto limits = std::get<std::array<double, 2>>(operation.get("slope_limits"));
+    return Interval{limits[0], limits[1]};
+}
+
 std::vector<double> facet_slopes(const Mesh& mesh, bool as_wound, const Mat3& turn,
                                  const Progress& progress) {
     const UpSide side(mesh, progress);

@@ -5,9 +5,14 @@
 #include "core/strategy/plan/operation.h"
 #include "core/strategy/surface/contact_domain.h"
 
+#include <optional>
 #include <vector>
 
 namespace facetmill {
+
+/// Slopes that an operation cuts by its settings, radians: what is steeper or shallower it leaves to others.
+/// None: it has no such limits.
+std::optional<Interval> slope_limits_of(const Operation& operation);
 
 /// The slope of each facet: 0 a floor, pi/2 a wall, more for what faces down; infinity without area. `turn`
 /// turns the mesh so that the tool is upright. `as_wound`: facets face as they are wound; else of a sheet the

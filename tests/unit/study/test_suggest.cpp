@@ -30,11 +30,12 @@ public:
     Project project;
     std::shared_ptr<const PreparedPart> part;
 
-    explicit SuggestJob(double high = 1.2) {
-        const std::filesystem::path file = std::filesystem::path(dir_.path().toStdString()) / "hills.stl";
-        const Mesh mesh =
+    explicit SuggestJob(double high = 1.2)
+        : SuggestJob(
             height_field([high](double x, double y) { return high * std::sin(0.3 * x) * std::cos(0.3 * y); },
-                         Vec2(-8, -6), Vec2(8, 6), 16, 12);
+                         Vec2(-8, -6), Vec2(8, 6), 16, 12)) {}
+    explicit SuggestJob(const Mesh& mesh) {
+        const std::filesystem::path file = std::filesystem::path(dir_.path().toStdString()) / "part.stl";
         save_stl(mesh, file, LengthUnit::mm, Progress());
         project = default_project(file, LengthUnit::mm, mesh.box());
         project.tools = {ball_tool(4), ball_tool(6)};
@@ -157,6 +158,21 @@ private slots:
                 QVERIFY2(p.uncut_share < 0.05, told.c_str());
         }
         QVERIFY(left_by_levels > 0.05);
+    }
+
+    /// Of a dome a third is steeper than the 70 degrees of constant scallop, which is little from above.
+    void what_lies_beyond_the_limits_of_slope_is_left() {
+        const SuggestJob job(dome(10, 40));
+        PassPreviewer previewer;
+        const auto left_by = [&](const char* kind) {
+            Project with = job.project;
+            with.operations.clear();
+            with.operations.push_back(new_operation(kind, job.project).operation);
+            return previewed_operation(previewer, with, 0, *job.part, Progress()).uncut_share;
+        };
+        QVERIFY2(std::abs(left_by("scallop") - std::cos(radians(70))) < 0.03,
+                 std::to_string(left_by("scallop")).c_str());
+        QVERIFY(left_by("finish3") < 0.03 && left_by("steep_shallow") < 0.03);
     }
 
     void how_steep_the_part_is_is_measured() {
