@@ -3,6 +3,7 @@
 #include "core/job/project.h"
 #include "core/job/project_setup.h"
 #include "core/job/usual_tools.h"
+#include "core/strategy/surface/slope_facets.h"
 #include "core/verify/verify.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
@@ -60,6 +61,64 @@ struct Present {
     const Project& project;
     bool rough = false, clean = false;
 };
+
+/// What finishes cut by their limits of slope, and whose limits these are; null: one of them cuts all that
+/// is so steep, or so level.
+struct FinishedSlopes {
+    explicit FinishedSlopes(const Project& project) {
+        bool all_steep = false, all_level = false;
+        for (const Operation* o : operations_on(project)) {
+            if (o->purpose() != Purpose::finishing) continue;
+            const Interval slopes = slope_limits_of(*o).value_or(Interval{0, 0.5 * pi});
+            all_steep = all_steep || slopes.hi > radians(85);
+            all_level = all_level || slopes.lo < radians(5);
+            if (!steepest || slopes.hi > cut.hi) {
+                steepest = o;
+                cut.hi = slopes.hi;
+            }
+            if (!shallowest || slopes.lo < cut.lo) {
+                shallowest = o;
+                cut.lo = slopes.lo;
+            }
+        }
+        if (all_steep) steepest = nullptr;
+        if (all_level) shallowest = nullptr;
+    }
+
+    Interval cut;
+    const Operation *steepest = nullptr, *shallowest = nullptr;
+};
+
+/// What two finishes both cut where one ends and the other begins.
+const double slopes_shared = radians(5);
+
+/// Most of what stays is steeper, or more level, than any finish cuts: another one for that.
+std::optional<VerdictAdvice> beyond_slopes(const Verification& v, const UncutReason& reason,
+                                           const Project& project) {
+    using Why = UncutReason::Why;
+    if (reason.why != Why::not_cut && reason.why != Why::passes_apart) return std::nullopt;
+    const FinishedSlopes finished(project);
+    double all = 0, steep = 0, level = 0;
+    for (const SlopeBand& band : v.bands) {
+        const double uncut = band.figures.area * band.figures.uncut_fraction;
+        all += uncut;
+        if (finished.steepest && band.to > finished.cut.hi) steep += uncut;
+        if (finished.shallowest && band.from < finished.cut.lo) level += uncut;
+    }
+    if (steep > 0.5 * all)
+        return VerdictAdvice{
+            tr("What to do: add %1, which goes round what is steeper than %2 cuts.")
+                .arg(text(first_name_of("waterline")), text(finished.steepest->common().name)),
+            "waterline",
+            {finished.steepest->common().tool, {}, finished.cut.hi - slopes_shared}};
+    if (level > 0.5 * all)
+        return VerdictAdvice{
+            tr("What to do: add %1, which cuts what is more level than %2 does.")
+                .arg(text(first_name_of("scallop")), text(finished.shallowest->common().name)),
+            "scallop",
+            {finished.shallowest->common().tool}};
+    return std::nullopt;
+}
 
 VerdictAdvice advice_on(const Collision& c, const Present& there) {
     if (!c.fixture.empty())
@@ -157,6 +216,7 @@ VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
     if (!v.collisions.empty()) return advice_on(v.collisions.front(), there);
     const UncutReason* reason = v.left_uncut() ? main_reason(v) : nullptr;
     if (!reason) return {};
+    if (const auto other = beyond_slopes(v, *reason, project)) return *other;
     const VerdictAdvice advice = advice_on(*reason, there);
     return advice.add.empty() ? enough_to_add(v, there).value_or(advice) : advice;
 }

@@ -28,7 +28,7 @@ class NewOperationMaker {
 public:
     NewOperationMaker(std::string_view kind, const Project& project, const OperationWish& wish)
         : project_(project), per_(mm_per(project.unit)), wished_tool_(wished(wish.tool)),
-          wished_previous_(wished(wish.previous_tool)) {
+          wished_previous_(wished(wish.previous_tool)), steeper_(wish.steeper) {
         made_.operation = make_operation(kind);
         take_usual_values(*made_.operation, project.unit);
         const auto& all = project.operations;
@@ -58,6 +58,8 @@ public:
             }
             run_as_tool_says();
         }
+        if (steeper_ && made_.operation->has("slope_limits"))
+            made_.operation->set("slope_limits", std::array{*steeper_, 0.5 * pi});
         return std::move(made_);
     }
 
@@ -233,6 +235,7 @@ private:
     const Project& project_;
     double per_;
     const Tool *wished_tool_, *wished_previous_; ///< null: not wished
+    std::optional<double> steeper_;
     NewOperation made_;
 };
 

@@ -20,6 +20,8 @@ struct NewOperation {
 struct OperationWish {
     std::optional<long> tool;          ///< that it cuts with
     std::optional<long> previous_tool; ///< after which it cleans up
+    /// Surface that is steeper than this, radians from level: of a kind with two limits of slope.
+    std::optional<double> steeper = {};
 };
 
 /// Like the last operation of its kind, but for lists that were made by hand; of another kind: feeds and

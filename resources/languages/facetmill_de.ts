@@ -16092,6 +16092,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was zu tun ist: ein Werkzeug mit längeren Schneiden, oder ein kleineres Aufmaß in Schruppen.</translation>
     </message>
     <message>
+        <source>What to do: add %1, which cuts what is more level than %2 does.</source>
+        <translation>Was zu tun ist: %1 hinzufügen, das fräst, was flacher ist, als %2 geht.</translation>
+    </message>
+    <message>
+        <source>What to do: add %1, which goes round what is steeper than %2 cuts.</source>
+        <translation>Was zu tun ist: %1 hinzufügen, das umfährt, was steiler ist, als %2 geht.</translation>
+    </message>
+    <message>
         <source>What to do: add Clean-up with %1, which fits there.</source>
         <translation>Was zu tun ist: Restbearbeitung mit %1 hinzufügen, das dort passt.</translation>
     </message>

@@ -16090,6 +16090,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Que faire : un outil à dents plus longues, ou une surépaisseur plus petite dans Ébauche.</translation>
     </message>
     <message>
+        <source>What to do: add %1, which cuts what is more level than %2 does.</source>
+        <translation>Que faire : ajouter %1, qui usine ce qui est plus plat que ce que fait %2.</translation>
+    </message>
+    <message>
+        <source>What to do: add %1, which goes round what is steeper than %2 cuts.</source>
+        <translation>Que faire : ajouter %1, qui contourne ce qui est plus raide que ce que fait %2.</translation>
+    </message>
+    <message>
         <source>What to do: add Clean-up with %1, which fits there.</source>
         <translation>Que faire : ajouter Nettoyage avec %1, qui y entre.</translation>
     </message>

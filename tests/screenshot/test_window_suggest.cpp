@@ -236,6 +236,58 @@ private slots:
         QVERIFY(ui::verdict_advice(v, project).text.contains(QStringLiteral("a finish with the tool")));
     }
 
+    /// What lies beyond the limits of slope of all finishes is for another one.
+    void a_failure_names_the_finish_for_what_is_steep() {
+        Project project;
+        project.tools.resize(2);
+        project.tools[1].number = 2;
+        const auto add = [&](const char* kind) {
+            project.operations.push_back(make_operation(kind));
+            project.operations.back()->common().tool = 2;
+        };
+        UncutReason walls;
+        walls.why = UncutReason::Why::not_cut;
+        walls.area = 1;
+        Verification v;
+        v.used.uncut_limit = 0.02;
+        v.uncut_share = 0.2;
+        v.uncut = {walls};
+        v.bands.resize(6);
+        for (std::size_t i = 0; i < v.bands.size(); ++i) {
+            v.bands[i].from = radians(15) * double(i);
+            v.bands[i].to = radians(15) * double(i + 1);
+            v.bands[i].figures.area = 10;
+        }
+        v.bands.back().figures.uncut_fraction = 0.8;
+        add("scallop");
+        const double limit = std::get<double>(project.operations[0]->get("slope_limit"));
+        ui::VerdictAdvice advice = ui::verdict_advice(v, project);
+        QCOMPARE(advice.add, std::string("waterline"));
+        QVERIFY2(advice.text.contains(QStringLiteral("add Waterline, which goes round what is steeper")),
+                 qPrintable(advice.text));
+        const NewOperation made = new_operation(advice.add, project, advice.wish);
+        QCOMPARE(made.operation->common().tool, 2L);
+        const auto slopes = std::get<std::array<double, 2>>(made.operation->get("slope_limits"));
+        QVERIFY(slopes[0] < limit && slopes[0] > limit - radians(10) && slopes[1] == radians(90));
+        // Not where hollows are what stays, nor where it is there already, or a finish of all slopes.
+        v.uncut[0].why = UncutReason::Why::no_tool;
+        QCOMPARE(ui::verdict_advice(v, project).add, std::string("cleanup"));
+        v.uncut[0].why = UncutReason::Why::not_cut;
+        for (const char* kind : {"waterline", "finish3"}) {
+            add(kind);
+            QCOMPARE(ui::verdict_advice(v, project).add, std::string("cleanup"));
+            project.operations.pop_back();
+        }
+        // Most of it is level.
+        v.bands.front().figures.uncut_fraction = 0.9;
+        QCOMPARE(ui::verdict_advice(v, project).add, std::string("cleanup"));
+        project.operations.clear();
+        add("waterline");
+        advice = ui::verdict_advice(v, project);
+        QCOMPARE(advice.add, std::string("scallop"));
+        QVERIFY(advice.wish.tool == 2);
+    }
+
     /// A floor beside a wall, of which a ball leaves a fillet where the flat that roughs would fit: whoever
     /// takes the defaults and presses what is advised has a verified job, cleaned up with that flat.
     void what_is_advised_leads_to_a_verified_job() {
