@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <utility>
 
@@ -17,12 +18,18 @@ namespace facetmill::ui {
 
 namespace {
 
-/// Width of those on the left: a form of lengths with their units.
-constexpr int left_width = 312;
+/// Width of those on the left: a form of lengths with their units, and at most, where choices with long names
+/// can be read whole.
+constexpr int left_width = 312, widest_left = 400;
 /// Width of the docks on the right at which their tabs can be read whole in most languages, and at most.
 constexpr int right_width = 306, widest_right = 360;
 /// A window below this width has no room for docks on both sides.
 constexpr int narrow_window = 1000;
+
+/// A fifth of the window, within these.
+int left_width_in(const QWidget& window) {
+    return std::clamp(window.width() / 5, left_width, widest_left);
+}
 
 /// Of docks on the right whose tabs stand side by side.
 int width_of_tabs(std::initializer_list<const QDockWidget*> docks) {
@@ -143,12 +150,14 @@ void WindowDocks::size_as_new() {
     const auto at = [this](const char* name) { return docks_.at(QLatin1String(name)); };
     window_.resizeDocks({at("project_dock"), at("properties_dock")}, {230, 420}, Qt::Vertical);
     const int right = width_of_tabs({at("report_dock"), at("verification_dock"), at("cspace_dock")});
-    window_.resizeDocks({at("project_dock"), at("report_dock")}, {left_width, right}, Qt::Horizontal);
+    left_given_ = left_width_in(window_);
+    window_.resizeDocks({at("project_dock"), at("report_dock")}, {left_given_, right}, Qt::Horizontal);
     window_.resizeDocks({at("log_dock")}, {96}, Qt::Vertical);
 }
 
 void WindowDocks::arrange() {
     if (docks_.empty()) return;
+    follow_window();
     if (window_.width() < narrow_window) {
         if (!make_room()) return;
     } else {
@@ -162,6 +171,18 @@ void WindowDocks::arrange() {
     };
     hide_empty_bars();
     QTimer::singleShot(0, this, hide_empty_bars);
+}
+
+void WindowDocks::follow_window() {
+    QDockWidget* parameters = docks_.at(QStringLiteral("properties_dock"));
+    const int wanted = left_width_in(window_);
+    constexpr int same = 2;
+    if (wanted == left_given_ || parameters->isHidden() || parameters->isFloating()
+        || window_.dockWidgetArea(parameters) != Qt::LeftDockWidgetArea
+        || std::abs(parameters->width() - left_given_) > same)
+        return;
+    left_given_ = wanted;
+    window_.resizeDocks({parameters}, {wanted}, Qt::Horizontal);
 }
 
 bool WindowDocks::make_room() {
@@ -179,7 +200,7 @@ bool WindowDocks::make_room() {
         moved = true;
     }
     // The form keeps its width.
-    if (moved) window_.resizeDocks({parameters}, {left_width}, Qt::Horizontal);
+    if (moved) window_.resizeDocks({parameters}, {left_width_in(window_)}, Qt::Horizontal);
     return moved;
 }
 

@@ -52,12 +52,15 @@ private:
     void bring_to_light(QDockWidget* dock);
     void give_key(QDockWidget* dock);
     bool make_room();
+    /// The form is wider in a wider window, unless it was given another width by hand.
+    void follow_window();
     void go_back();
     bool stands_right(QDockWidget* dock) const;
 
     QMainWindow& window_;
     std::map<QString, QDockWidget*> docks_;
     std::vector<QDockWidget*> made_room_; ///< put behind the parameters because the window is narrow
+    int left_given_ = 0;                  ///< width that the form was given by this
     bool charts_sized_ = false;           ///< they had their height given
 };
 

@@ -150,6 +150,27 @@ private slots:
         QVERIFY2(end <= found->width(), qPrintable(QStringLiteral("%1 %2").arg(end).arg(found->width())));
     }
 
+    /// Choices with long names have room in a wide window, unless the form was given a width by hand.
+    void the_form_is_wider_in_a_wide_window() {
+        QVERIFY(show_window());
+        const auto wide_after = [&](int width) {
+            w().resize(width, 800);
+            (void)QTest::qWaitFor([&] { return w().width() == width; }, 2000);
+            QTest::qWait(50);
+            return w().properties().width();
+        };
+        const int usual = wide_after(1280);
+        QVERIFY(usual < 330);
+        QVERIFY(wide_after(1920) >= 375);
+        QVERIFY(std::abs(wide_after(1280) - usual) <= 2);
+        auto* dock = w().findChild<QDockWidget*>(QStringLiteral("properties_dock"));
+        w().resizeDocks({dock}, {350}, Qt::Horizontal);
+        QTest::qWait(50);
+        const int own = w().properties().width();
+        QVERIFY(own > usual + 20);
+        QVERIFY(std::abs(wide_after(1920) - own) <= 2);
+    }
+
     void a_silly_figure_is_found() {
         for (const char* silly : {"0.00000608 % of it", "by 0,000001 mm", "-1.2e-16", "up to 3e-07 in"})
             QVERIFY2(has_silly_figure(QLatin1String(silly)), silly);
