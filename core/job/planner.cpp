@@ -58,9 +58,8 @@ MachineRun machine_run(const MachineMotion& motion, const Machine& machine, Leng
         const std::string rest = "and " + std::to_string(run.findings - max_findings_told) + " more";
         first += "; " + rest;
     }
-    run.warnings.push_back("machine '" + printable(machine.name) + "' does not hold "
-                           + std::to_string(run.findings) + " of " + std::to_string(run.motions)
-                           + " motions as planned: " + first);
+    run.warnings.push_back(printable(machine.label) + " does not hold " + std::to_string(run.findings)
+                           + " of " + std::to_string(run.motions) + " motions as planned: " + first);
     return run;
 }
 
@@ -84,7 +83,7 @@ std::string out_of_reach(const MachineMotion& motion, const ClSection& program, 
     const Vec3 tip = program.motions.motions[worst->motion].to.tip / mm_per(unit);
     return finding_text(*worst, machine, unit) + ", with the tip at (" + format_number(tip.x(), 5) + ", "
            + format_number(tip.y(), 5) + ", " + format_number(tip.z(), 5) + ") "
-           + std::string(unit_name(unit)) + "; the machine '" + printable(machine.name) + "' cannot make "
+           + std::string(unit_name(unit)) + "; " + printable(machine.label) + " cannot make "
            + std::to_string(count) + " of " + std::to_string(motion.motions.size()) + " motions";
 }
 

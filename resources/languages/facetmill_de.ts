@@ -6256,14 +6256,6 @@
         <translation>den Vorschub senken</translation>
     </message>
     <message>
-        <source>machine '{1}' does not hold {2} of {3} motions as planned: {4}</source>
-        <translation>Maschine '{1}' hält {2} von {3} Bewegungen nicht ein, wie sie geplant sind: {4}</translation>
-    </message>
-    <message>
-        <source>machine '{1}' has no table that turns the part about this axis: choose one such as 'lathe-mill', or turn the part into its axis</source>
-        <translation>Maschine '{1}' hat keinen Tisch, der das Teil um diese Achse dreht: eine wie 'lathe-mill' wählen oder das Teil in ihre Achse drehen</translation>
-    </message>
-    <message>
         <source>make it smaller</source>
         <translation>es verkleinern</translation>
     </message>
@@ -10308,6 +10300,10 @@
         <translation>{1} Tage</translation>
     </message>
     <message>
+        <source>{1} does not hold {2} of {3} motions as planned: {4}</source>
+        <translation>{1} hält {2} von {3} Bewegungen nicht ein, wie sie geplant sind: {4}</translation>
+    </message>
+    <message>
         <source>{1} ends {2} too early</source>
         <translation>{1} endet {2} zu früh</translation>
     </message>
@@ -10348,6 +10344,10 @@
         <translation>{1} übergab etwas anderes</translation>
     </message>
     <message>
+        <source>{1} has no table that turns the part about this axis: choose a lathe-mill, or turn the part into its axis</source>
+        <translation>{1} hat keinen Tisch, der das Teil um diese Achse dreht: eine Dreh-Fräsmaschine wählen oder das Teil in ihre Achse drehen</translation>
+    </message>
+    <message>
         <source>{1} has said nothing for {2} s and was stopped</source>
         <translation>{1} sagte {2} s lang nichts und wurde angehalten</translation>
     </message>
@@ -10356,8 +10356,8 @@
         <translation>{1} hat {2} Werte</translation>
     </message>
     <message>
-        <source>{1} inclines the tool, and the machine '{2}' has no rotary axis</source>
-        <translation>{1} neigt das Werkzeug, und die Maschine '{2}' hat keine Drehachse</translation>
+        <source>{1} inclines the tool, and {2} has no rotary axis</source>
+        <translation>{1} neigt das Werkzeug, und {2} hat keine Drehachse</translation>
     </message>
     <message>
         <source>{1} is as long as the stock, in which nothing is seen then</source>
@@ -10684,8 +10684,8 @@
         <translation>{1}, Eckpunkt {2}</translation>
     </message>
     <message>
-        <source>{1}, with the tip at ({2}, {3}, {4}) {5}; the machine '{6}' cannot make {7} of {8} motions</source>
-        <translation>{1}, mit der Spitze bei ({2}, {3}, {4}) {5}; die Maschine '{6}' kann {7} von {8} Bewegungen nicht ausführen</translation>
+        <source>{1}, with the tip at ({2}, {3}, {4}) {5}; {6} cannot make {7} of {8} motions</source>
+        <translation>{1}, mit der Spitze bei ({2}, {3}, {4}) {5}; {6} kann {7} von {8} Bewegungen nicht ausführen</translation>
     </message>
     <message>
         <source>{1}, {2} to {3} along the axis</source>

@@ -6256,14 +6256,6 @@
         <translation>baisser l'avance</translation>
     </message>
     <message>
-        <source>machine '{1}' does not hold {2} of {3} motions as planned: {4}</source>
-        <translation>la machine '{1}' ne tient pas {2} des {3} mouvements comme prévu : {4}</translation>
-    </message>
-    <message>
-        <source>machine '{1}' has no table that turns the part about this axis: choose one such as 'lathe-mill', or turn the part into its axis</source>
-        <translation>la machine '{1}' n'a pas de table qui tourne la pièce autour de cet axe : en choisir une comme 'lathe-mill', ou tourner la pièce dans son axe</translation>
-    </message>
-    <message>
         <source>make it smaller</source>
         <translation>la réduire</translation>
     </message>
@@ -10308,6 +10300,10 @@
         <translation>{1} jours</translation>
     </message>
     <message>
+        <source>{1} does not hold {2} of {3} motions as planned: {4}</source>
+        <translation>{1} ne tient pas {2} des {3} mouvements comme prévu : {4}</translation>
+    </message>
+    <message>
         <source>{1} ends {2} too early</source>
         <translation>{1} finit {2} trop tôt</translation>
     </message>
@@ -10348,6 +10344,10 @@
         <translation>{1} a transmis autre chose</translation>
     </message>
     <message>
+        <source>{1} has no table that turns the part about this axis: choose a lathe-mill, or turn the part into its axis</source>
+        <translation>{1} n'a pas de table qui tourne la pièce autour de cet axe : choisir un tour-fraiseuse, ou tourner la pièce dans son axe</translation>
+    </message>
+    <message>
         <source>{1} has said nothing for {2} s and was stopped</source>
         <translation>{1} n'a rien dit pendant {2} s et a été arrêté</translation>
     </message>
@@ -10356,8 +10356,8 @@
         <translation>{1} a {2} valeurs</translation>
     </message>
     <message>
-        <source>{1} inclines the tool, and the machine '{2}' has no rotary axis</source>
-        <translation>{1} incline l'outil, et la machine '{2}' n'a pas d'axe rotatif</translation>
+        <source>{1} inclines the tool, and {2} has no rotary axis</source>
+        <translation>{1} incline l'outil, et {2} n'a pas d'axe rotatif</translation>
     </message>
     <message>
         <source>{1} is as long as the stock, in which nothing is seen then</source>
@@ -10684,8 +10684,8 @@
         <translation>{1}, sommet {2}</translation>
     </message>
     <message>
-        <source>{1}, with the tip at ({2}, {3}, {4}) {5}; the machine '{6}' cannot make {7} of {8} motions</source>
-        <translation>{1}, la pointe à ({2}, {3}, {4}) {5} ; la machine '{6}' ne peut faire {7} des {8} mouvements</translation>
+        <source>{1}, with the tip at ({2}, {3}, {4}) {5}; {6} cannot make {7} of {8} motions</source>
+        <translation>{1}, la pointe à ({2}, {3}, {4}) {5} ; {6} ne peut faire {7} des {8} mouvements</translation>
     </message>
     <message>
         <source>{1}, {2} to {3} along the axis</source>

@@ -160,10 +160,10 @@ private slots:
         QStringList motions;
         for (int i = 4; i < 12; ++i)
             motions << QStringLiteral("motion %1: %2").arg(i).arg(place);
-        const QString listed = ui::worded(QStringLiteral("machine 'generic-3-axis' does not hold 70 of 80 "
+        const QString listed = ui::worded(QStringLiteral("Generic mill (3-axis) does not hold 70 of 80 "
                                                          "motions as planned: %1; and 62 more")
                                               .arg(motions.join(QStringLiteral("; "))));
-        QVERIFY2(!listed.contains(QStringLiteral("motion")) && !listed.contains(QStringLiteral("machine")),
+        QVERIFY2(!listed.contains(QStringLiteral("motion")) && !listed.contains(QStringLiteral("Generic")),
                  qPrintable(listed));
         ui::speak(QStringLiteral("en"));
         QCOMPARE(ui::worded(e), QString::fromUtf8(e.what()));
@@ -231,7 +231,7 @@ private slots:
     }
     void large_counts_in_messages_have_gaps() {
         const QString message =
-            QStringLiteral("machine 'M12345' does not hold 779670 of 780152 motions as planned: "
+            QStringLiteral("M12345 does not hold 779670 of 780152 motions as planned: "
                            "motion 4: the machine cannot incline the tool like this; and 9667 more");
         const QString gap(QChar(0x202F));
         for (const char* language : {"en", "de", "fr"}) {

@@ -235,8 +235,7 @@ void PostWriter::check_section(const ClSection& s) const {
     if (!s.multi_axis) return;
     check_inclined(post_, s.operation_name);
     if (setup_.machine.rotary.empty())
-        refuse(name + " inclines the tool, and the machine '" + printable(setup_.machine.label)
-                   + "' has no rotary axis",
+        refuse(name + " inclines the tool, and " + printable(setup_.machine.label) + " has no rotary axis",
                "choose the machine that it runs on");
     if (told_as_joints(s)) check_turning(post_, s.operation_name);
     for (const RotaryAxis& axis : setup_.machine.rotary)

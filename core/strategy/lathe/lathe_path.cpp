@@ -155,9 +155,9 @@ void LathePath::add_warnings(const LatheCommon& s, const PlanContext& context) {
         warnings.emplace_back("direction has no meaning for a part that turns: see pattern");
     if (turning_table(context.machine, frame.axis().direction) < 0)
         warnings.push_back(
-            "machine '" + printable(context.machine.name)
-            + "' has no table that turns the part about this axis: choose one such as 'lathe-mill', or "
-              "turn the part into its axis");
+            printable(context.machine.label)
+            + " has no table that turns the part about this axis: choose a lathe-mill, or turn the part into "
+              "its axis");
     const std::vector<std::string> uncut = reach_warnings(reach_, context.unit);
     warnings.insert(warnings.end(), uncut.begin(), uncut.end());
 }
