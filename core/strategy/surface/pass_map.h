@@ -16,8 +16,9 @@ struct PassMap {
     std::vector<Vec3> gradients; ///< of v per facet, in the frame of the mesh, mm per mm
     double u_hi = 0;             ///< the largest u; the smallest is 0
     double steepest_u = 1;       ///< the most that u changes by anywhere, mm per mm; at least 1
-    /// The least that v changes by over nearly all of the surface, mm per mm; from 1/8 to 1.
+    /// The least that v changes by over nearly all of the surface, mm per mm; from `min_flattest` to 1.
     double flattest_v = 1;
+    static constexpr double min_flattest = 1.0 / 8;
 };
 
 } // namespace facetmill
