@@ -36,6 +36,8 @@ constexpr ValueWord value_words[] = {
     {"axis", "points", QT_TRANSLATE_NOOP("ValueWords", "through two points"), ""},
     {"passes", "morph", QT_TRANSLATE_NOOP("ValueWords", "from edge to edge"),
      QT_TRANSLATE_NOOP("ValueWords", "“from edge to edge”")},
+    {"passes", "around", QT_TRANSLATE_NOOP("ValueWords", "in rings"),
+     QT_TRANSLATE_NOOP("ValueWords", "“in rings”")},
     {"lift", "strip", QT_TRANSLATE_NOOP("ValueWords", "as the strip asks"), ""},
     {"lift", "z", QT_TRANSLATE_NOOP("ValueWords", "along Z"), ""},
     {"offset", "contact", QT_TRANSLATE_NOOP("ValueWords", "exact, at the contact"), ""},

@@ -191,8 +191,8 @@ void code_fields(Coder& coder, T& v) {
 }
 template <class Coder, CodedAs<FiveAxisRecord::Piece> T>
 void code_fields(Coder& coder, T& v) {
-    auto& [context, view, lead_limits] = v;
-    coder(context, view, lead_limits);
+    auto& [context, view, lead_limits, passes] = v;
+    coder(context, view, lead_limits, passes);
 }
 template <class Coder, CodedAs<FiveAxisRecord> T>
 void code_fields(Coder& coder, T& v) {

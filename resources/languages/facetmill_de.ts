@@ -4040,6 +4040,10 @@
         <translation>Bögen um einen Mittelpunkt in einem eigenen Satz liegen in XY und steigen nicht</translation>
     </message>
     <message>
+        <source>around</source>
+        <translation>rundum</translation>
+    </message>
+    <message>
         <source>as it stands</source>
         <translation>wie es ist</translation>
     </message>
@@ -6784,6 +6788,10 @@
         <translation>nichts davon lässt {1}</translation>
     </message>
     <message>
+        <source>nothing of the part goes round: its passes run from edge to edge</source>
+        <translation>kein Stück des Teils läuft rundum: die Bahnen verlaufen von Kante zu Kante</translation>
+    </message>
+    <message>
         <source>nothing of the part holds the tool on its way to the axis</source>
         <translation>nichts am Teil hält das Werkzeug auf seinem Weg zur Achse auf</translation>
     </message>
@@ -7032,8 +7040,8 @@
         <translation>parallel</translation>
     </message>
     <message>
-        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.</source>
-        <translation>parallel: in Führungsebenen entlang der Richtung. morph: jedes Stück der Oberfläche für sich, in Bahnen, die von seiner einen Kante entlang der Richtung in die andere übergehen, wie die Oberfläche verläuft: Schaufeln und Deckscheiben. Ein fester Bahnabstand wird eingehalten, wo diese am weitesten auseinander liegen.</translation>
+        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. around: in closed rings about each piece that goes round (blades, hubs, bottles), from its one border to the other or to its end; other pieces as with morph. A fixed step-over is kept where passes are farthest apart.</source>
+        <translation>parallel: in Führungsebenen entlang der Richtung. morph: jedes Stück der Oberfläche für sich, in Bahnen, die von seiner einen Kante entlang der Richtung in die andere übergehen, wie die Oberfläche verläuft: Schaufeln und Deckscheiben. around: in geschlossenen Ringen um jedes Stück, das rundum läuft (Schaufeln, Naben, Flaschen), von seinem einen Rand zum anderen oder zu seinem Ende; andere Stücke wie mit morph. Ein fester Bahnabstand wird eingehalten, wo Bahnen am weitesten auseinander liegen.</translation>
     </message>
     <message>
         <source>part</source>
@@ -7258,6 +7266,10 @@
     <message>
         <source>rings</source>
         <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>rings need a border to lie along</source>
+        <translation>Ringe brauchen einen Rand, an dem sie liegen</translation>
     </message>
     <message>
         <source>rotary axes turn to a tilted plane while the tool is down</source>
@@ -16680,6 +16692,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Löcher, die es nicht gibt</translation>
     </message>
     <message>
+        <source>in rings</source>
+        <translation>in Ringen</translation>
+    </message>
+    <message>
         <source>into the panels: project, parameters, report and so on</source>
         <translation>in die Fenster: Projekt, Parameter, Bericht und so weiter</translation>
     </message>
@@ -17202,6 +17218,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>“from the tolerance”</source>
         <translation>„aus der Toleranz“</translation>
+    </message>
+    <message>
+        <source>“in rings”</source>
+        <translation>„in Ringen“</translation>
     </message>
     <message>
         <source>“one way”</source>

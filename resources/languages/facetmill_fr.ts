@@ -4040,6 +4040,10 @@
         <translation>les arcs autour d'un centre dans un bloc à part sont en XY et ne montent pas</translation>
     </message>
     <message>
+        <source>around</source>
+        <translation>autour</translation>
+    </message>
+    <message>
         <source>as it stands</source>
         <translation>tel quel</translation>
     </message>
@@ -6784,6 +6788,10 @@
         <translation>rien n'en est laissé par {1}</translation>
     </message>
     <message>
+        <source>nothing of the part goes round: its passes run from edge to edge</source>
+        <translation>rien de la pièce ne fait le tour : ses passes vont d’un bord à l’autre</translation>
+    </message>
+    <message>
         <source>nothing of the part holds the tool on its way to the axis</source>
         <translation>rien de la pièce n'arrête l'outil sur son chemin vers l'axe</translation>
     </message>
@@ -7032,8 +7040,8 @@
         <translation>parallèle</translation>
     </message>
     <message>
-        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.</source>
-        <translation>parallel : dans des plans le long de la direction. morph : chaque morceau de la surface à part, en passes qui vont de l’un de ses bords le long de la direction à l’autre, comme la surface s’écoule : aubes et flasques. Un écart fixe est tenu là où elles sont le plus éloignées.</translation>
+        <source>parallel: in drive planes along the direction. morph: each piece of the surface by itself, in passes that go over from its one edge along the direction to the other, as the surface flows: blades and shrouds. around: in closed rings about each piece that goes round (blades, hubs, bottles), from its one border to the other or to its end; other pieces as with morph. A fixed step-over is kept where passes are farthest apart.</source>
+        <translation>parallel : dans des plans le long de la direction. morph : chaque morceau de la surface à part, en passes qui vont de l’un de ses bords le long de la direction à l’autre, comme la surface s’écoule : aubes et flasques. around : en anneaux fermés autour de chaque morceau qui fait le tour (aubes, moyeux, bouteilles), de l’un de ses bords à l’autre ou jusqu’au bout ; les autres morceaux comme avec morph. Un écart fixe est tenu là où les passes sont le plus éloignées.</translation>
     </message>
     <message>
         <source>part</source>
@@ -7258,6 +7266,10 @@
     <message>
         <source>rings</source>
         <translation>anneaux</translation>
+    </message>
+    <message>
+        <source>rings need a border to lie along</source>
+        <translation>les anneaux demandent un bord le long duquel passer</translation>
     </message>
     <message>
         <source>rotary axes turn to a tilted plane while the tool is down</source>
@@ -16678,6 +16690,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>trous qui n'existent pas</translation>
     </message>
     <message>
+        <source>in rings</source>
+        <translation>en anneaux</translation>
+    </message>
+    <message>
         <source>into the panels: project, parameters, report and so on</source>
         <translation>dans les panneaux : projet, paramètres, rapport, etc.</translation>
     </message>
@@ -17200,6 +17216,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>“from the tolerance”</source>
         <translation>« d'après la tolérance »</translation>
+    </message>
+    <message>
+        <source>“in rings”</source>
+        <translation>« en anneaux »</translation>
     </message>
     <message>
         <source>“one way”</source>

@@ -22,36 +22,6 @@ constexpr double behind_share = 0.5, ahead_share = 0.5, yawed_behind_share = 1, 
 /// Contacts farther apart than this are looked at half-way too.
 constexpr double far_apart_share = 0.25;
 
-/// The part of a line between two u; without points where it has none there.
-SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::array<bool, 2>& cut_short) {
-    SurfaceLine part;
-    const auto& p = line.points;
-    cut_short = {p.front().u<u0, p.back().u> u1};
-    if (!cut_short[0] && !cut_short[1]) return line;
-    const auto crossing = [&](std::size_t i, double u) {
-        const double step = p[i].u - p[i - 1].u;
-        return line.at(line.arc[i - 1]
-                       + (step > 0 ? std::clamp((u - p[i - 1].u) / step, 0.0, 1.0) : 0)
-                             * (line.arc[i] - line.arc[i - 1]));
-    };
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p[i].u > u1) {
-            if (i > 0 && p[i - 1].u <= u1) {
-                if (part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
-                part.points.push_back(crossing(i, u1));
-            }
-            break;
-        }
-        if (p[i].u < u0) continue;
-        if (i > 0 && part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
-        part.points.push_back(p[i]);
-    }
-    part.arc.assign(part.points.empty() ? 0 : 1, 0);
-    for (std::size_t i = 1; i < part.points.size(); ++i)
-        part.arc.push_back(part.arc.back() + (part.points[i].point - part.points[i - 1].point).norm());
-    return part;
-}
-
 } // namespace
 
 TravelBins::TravelBins(const FiveAxisField& field) {
@@ -107,7 +77,7 @@ void PassEstimator::cut_lines(EstimatedPass& pass, const BinRange& within) const
     const double u0 = bins_.begin(within.first) - within.beyond,
                  u1 = bins_.begin(within.last + 1) + within.beyond;
     for (SurfaceLine& line : field_.lines().lines(pass.v)) {
-        std::array<bool, 2> cut_short{false, false};
+        std::array<bool, 2> cut_short = line.goes_on;
         if (!everywhere) line = part_of_line(line, u0, u1, cut_short);
         if (line.points.size() < 2 || !(line.length() > 0)) continue;
         pass.lines.push_back(std::move(line));

@@ -312,6 +312,11 @@ public:
         if (record_) tilted_.record = record_;
         result_.detail = tilted_;
         warn(told_, unfree_, *kept_, result_);
+        if (settings_.passes == Finish5Settings::Passes::around
+            && std::none_of(sides_.pieces.begin(), sides_.pieces.end(), [](const SidePiece& side) {
+                   return side.passes == Finish5Settings::Passes::around;
+               }))
+            result_.warnings.push_back("nothing of the part goes round: its passes run from edge to edge");
         tell_unreached();
         return std::move(result_);
     }
@@ -328,6 +333,9 @@ private:
         context.curvatures = side.piece.curvatures;
         Finish5Settings own = settings_;
         own.lead_limits = side.lead_limits;
+        own.passes = side.passes;
+        // Rings go about facets that face any way, as they are wound; from above those count that face up.
+        if (side.passes == Finish5Settings::Passes::around && !sides_.top_only) context.is_piece = true;
         Planner5 planner(own, context, progress, true, 0, side.view);
         StrategyResult one = planner.run();
         order_by_travel(one.passes, false, clear_z(), progress.part(1, 1));
@@ -439,8 +447,10 @@ const ParameterTable<Finish5Settings>& finish5_parameters() {
              .help =
                  "parallel: in drive planes along the direction. morph: each piece of the surface by itself, "
                  "in passes that go over from its one edge along the direction to the other, as the surface "
-                 "flows: blades and shrouds. A fixed step-over is kept where these are farthest apart.",
-             .words = {"parallel", "morph"}});
+                 "flows: blades and shrouds. around: in closed rings about each piece that goes round "
+                 "(blades, hubs, bottles), from its one border to the other or to its end; other pieces as "
+                 "with morph. A fixed step-over is kept where passes are farthest apart.",
+             .words = {"parallel", "morph", "around"}});
         t.add(&Finish5Settings::reach_lead,
               {.key = "reach_lead",
                .label = "Lead to reach",

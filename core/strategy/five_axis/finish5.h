@@ -25,8 +25,9 @@ struct Finish5Settings : OperationCommon {
     enum class PostureChoice { cm2, local, global };
     /// Whether the part is cut from above only, or side by side where it has other sides (part_sides.h).
     enum class Sides { automatic, top };
-    /// Passes in parallel planes, or from one edge of each piece of the surface to the other (flow_map.h).
-    enum class Passes { parallel, morph };
+    /// Passes in parallel planes, from one edge of each piece of the surface to the other (flow_map.h), or in
+    /// rings about what goes round (ring_map.h) and from edge to edge over the rest.
+    enum class Passes { parallel, morph, around };
 
     Finish5Settings() {
         name = "Finish5";

@@ -5,6 +5,7 @@
 #include "core/mesh/refine.h"
 #include "core/mesh/triangle_distance.h"
 #include "core/strategy/five_axis/flow_map.h"
+#include "core/strategy/five_axis/ring_map.h"
 #include "core/strategy/plan/budget.h"
 #include "core/strategy/surface/travel_direction.h"
 
@@ -35,6 +36,9 @@ constexpr double map_facet_share = 0.5;
 constexpr double map_facets = 60'000;
 /// Between pieces of a map, in radii: no cutter reaches over it.
 constexpr double map_gap_share = 3;
+/// How far rings go on after a round, in radii: what a pose clears lies up to a radius behind its contact and
+/// a quarter ahead.
+constexpr double overlap_share = 1.25;
 /// The least that v is taken to grow by across the travel, along planes and in a map.
 constexpr double min_slope = 0.1, min_map_slope = 0.02;
 
@@ -89,7 +93,12 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
         curvatures_ = std::make_shared<std::vector<VertexCurvature>>(
             vertex_curvatures(*context_.part, geometry->vertex_normals, progress.part(0.7, 0.8)));
     if (settings_.passes != Finish5Settings::Passes::parallel) make_map(progress.part(0.8, 0.9));
-    if (map_) options.steepest_u = map_->steepest_u;
+    if (map_) {
+        options.steepest_u = map_->steepest_u;
+        options.period = map_->period;
+        options.overlap = overlap_share * radius_;
+        options.as_wound = map_->period > 0 && context_.is_piece;
+    }
     if (turned_ || map_)
         lines_.emplace(*seen_.part, *seen_.geometry, drive_, fineness() * lattice_share * radius_, options,
                        progress.part(0.9, 1), view_.transpose(), map_ ? &*map_ : nullptr);
@@ -120,6 +129,8 @@ void FiveAxisField::make_map(const Progress& progress) {
     DerivedMesh fine = refined(
         part, [](const auto&) { return true; }, longest, std::numeric_limits<std::size_t>::max(),
         progress.part(0, 0.2));
+    const bool rings = settings_.passes == Finish5Settings::Passes::around;
+    if (rings) map_ = ring_map(fine, progress.part(0.2, 1));
     auto own = std::make_shared<MeshGeometry>();
     own->vertex_normals = carried_normals(fine, geometry.vertex_normals);
     for (std::size_t f = 0; f < fine.mesh.facet_count(); ++f)
@@ -127,7 +138,7 @@ void FiveAxisField::make_map(const Progress& progress) {
     facet_of_ = std::move(fine.facet_of);
     seen_.geometry = std::move(own);
     seen_.part = std::make_shared<const Mesh>(std::move(fine.mesh));
-    map_ = flow_map(*seen_.part, drive_, map_gap_share * radius_, progress.part(0.2, 1));
+    if (!rings) map_ = flow_map(*seen_.part, drive_, map_gap_share * radius_, progress.part(0.2, 1));
 }
 
 double FiveAxisField::v_of(const Vec3& p) const {

@@ -12,6 +12,7 @@ const FiveAxisRecord::Line& FiveAxisRecord::line_of(std::size_t point) const {
 Finish5Settings FiveAxisRecord::settings_of(std::size_t piece) const {
     Finish5Settings own = settings;
     own.lead_limits = pieces[piece].lead_limits;
+    own.passes = pieces[piece].passes;
     return own;
 }
 

@@ -27,9 +27,10 @@ struct FiveAxisRecord {
         PlanContext context;
         Mat3 view = Mat3::Identity();
         std::array<double, 2> lead_limits{0, 0};
+        Finish5Settings::Passes passes = Finish5Settings::Passes::parallel;
     };
     PlanContext context;      ///< of the first piece
-    Finish5Settings settings; ///< of all pieces, but for their lead limits
+    Finish5Settings settings; ///< of all pieces, but for their lead limits and passes
     std::vector<Piece> pieces;
     std::vector<Point> points; ///< in machining order
     std::vector<Line> lines;

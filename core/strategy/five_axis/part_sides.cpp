@@ -6,6 +6,7 @@
 #include "core/mesh/outward.h"
 #include "core/mesh/refine.h"
 #include "core/strategy/five_axis/part_tops.h"
+#include "core/strategy/five_axis/ring_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,7 @@ public:
         join_neighbours();
         fill_holes();
         tell_unreached();
+        if (settings_.passes == Finish5Settings::Passes::around) take_what_goes_round();
         choose_views();
         assign();
         smooth();
@@ -270,6 +272,23 @@ private:
                          [](const auto& a, const auto& b) { return a.area > b.area; });
     }
 
+    /// Pieces that rings go about, whichever way their facets face, are cut whole.
+    void take_what_goes_round() {
+        std::vector<double> areas;
+        const std::vector<Index> label(reached_.begin(), reached_.end());
+        const std::vector<Index> number = components(label, beside_, areas);
+        std::vector<std::vector<Index>> facets(areas.size());
+        for (std::size_t f = 0; f < area_.size(); ++f)
+            if (reached_[f]) facets[number[f]].push_back(Index(f));
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            if (facets[i].empty() || areas[i] < min_piece * radius_ * radius_) continue;
+            if (!goes_round(part_of(mesh_, facets[i]).mesh, progress_.part(0.9, 0.95))) continue;
+            add_piece(facets[i], Vec3::UnitZ(), areas[i], Finish5Settings::Passes::around);
+            for (const Index f : facets[i])
+                reached_[f] = 0;
+        }
+    }
+
     void choose_views() {
         const std::vector<Vec3> candidates = view_candidates();
         std::vector<bool> served(area_.size());
@@ -395,19 +414,21 @@ private:
                     small.insert(small.end(), facets[i].begin(), facets[i].end());
                     small_area += areas[i];
                 } else {
-                    add_piece(facets[i], v, areas[i]);
+                    add_piece(facets[i], views_[v], areas[i], passes_but_round(settings_.passes));
                 }
             }
             std::sort(small.begin(), small.end());
-            if (!small.empty()) add_piece(small, v, small_area);
+            if (!small.empty()) add_piece(small, views_[v], small_area, passes_but_round(settings_.passes));
         }
     }
 
-    void add_piece(const std::vector<Index>& facets, Index view, double area) {
+    void add_piece(const std::vector<Index>& facets, const Vec3& view, double area,
+                   Finish5Settings::Passes passes) {
         SidePiece made;
         made.piece = side_piece(mesh_, facets, normals_, curvatures_, progress_.part(1, 1));
-        made.view = view_turn(views_[view]);
+        made.view = view_turn(view);
         made.area = area;
+        made.passes = passes;
         made.lead_limits = lead_limits_of(facets);
         found_.pieces.push_back(std::move(made));
     }
@@ -446,6 +467,10 @@ private:
 };
 
 } // namespace
+
+Finish5Settings::Passes passes_but_round(Finish5Settings::Passes asked) {
+    return asked == Finish5Settings::Passes::around ? Finish5Settings::Passes::morph : asked;
+}
 
 Finish5Settings side_settings(const Finish5Settings& settings) {
     Finish5Settings own = settings;

@@ -20,6 +20,8 @@ struct SidePiece {
     /// The settings' own; or up to `reach_lead`, from the least by which the piece is reached, where it has
     /// places that these do not reach.
     std::array<double, 2> lead_limits{0, 0};
+    /// The settings' own; where these ask for rings `around` for pieces that go round, `morph` for others.
+    Finish5Settings::Passes passes = Finish5Settings::Passes::parallel;
 };
 
 /// A connected piece of the surface that no axis of the operation reaches.
@@ -39,6 +41,9 @@ struct PartSides {
     double far_area = 0; ///< mm^2
     Vec3 far_place = Vec3::Zero();
 };
+
+/// How pieces that do not go round are cut.
+Finish5Settings::Passes passes_but_round(Finish5Settings::Passes asked);
 
 /// Settings for the pieces of a part that is cut side by side: seen from the side the axis comes from above,
 /// whichever way a pass travels, so the yaw is free; and the grid is so much coarser that spaces are as large

@@ -1,6 +1,7 @@
 #include "core/strategy/five_axis/part_tops.h"
 
 #include "core/base/tolerances.h"
+#include "core/strategy/five_axis/ring_map.h"
 #include "core/strategy/surface/up_side.h"
 
 #include <algorithm>
@@ -55,11 +56,15 @@ PartSides find_tops(const PlanContext& context, const Finish5Settings& settings,
         area[piece[i]] += 0.5 * mesh.facet_cross(facing[i]).norm();
     }
     PartSides found;
-    const auto add = [&](const std::vector<Index>& facets, double own) {
+    const bool asks_round = settings.passes == Finish5Settings::Passes::around;
+    const auto add = [&](const std::vector<Index>& facets, double own, bool round) {
         SidePiece made;
         made.piece = side_piece(mesh, facets, normals, curvatures, progress.part(0.9, 0.9));
         made.area = own;
         made.lead_limits = settings.lead_limits;
+        made.passes = round && goes_round(*made.piece.mesh, progress.part(0.9, 0.9))
+                          ? Finish5Settings::Passes::around
+                          : passes_but_round(settings.passes);
         found.pieces.push_back(std::move(made));
         found.whole_area += own;
     };
@@ -68,14 +73,14 @@ PartSides find_tops(const PlanContext& context, const Finish5Settings& settings,
     double small_area = 0;
     for (std::size_t k = 0; k < count; ++k) {
         if (area[k] >= small_piece * radius * radius) {
-            add(pieces[k], area[k]);
+            add(pieces[k], area[k], asks_round);
             continue;
         }
         small.insert(small.end(), pieces[k].begin(), pieces[k].end());
         small_area += area[k];
     }
     std::sort(small.begin(), small.end());
-    if (small_area > 0) add(small, small_area);
+    if (small_area > 0) add(small, small_area, false);
     return found;
 }
 

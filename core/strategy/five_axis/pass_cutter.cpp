@@ -21,7 +21,8 @@ PassCutter::PassCutter(const FiveAxisField& field)
     : field_(field), record_(std::make_shared<FiveAxisRecord>()), kept_(field) {
     record_->context = field.context();
     record_->settings = field.settings();
-    record_->pieces.push_back({field.context(), field.view(), field.settings().lead_limits});
+    record_->pieces.push_back(
+        {field.context(), field.view(), field.settings().lead_limits, field.settings().passes});
 }
 
 void PassCutter::add(std::vector<PlacedLine> pass, int drive, double v, const Progress& progress) {

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 
+#include <cmath>
 #include <unordered_map>
 
 namespace facetmill {
@@ -75,6 +76,11 @@ std::pair<double, double> MeshSlicer::range_of(std::size_t facet) const {
     return {std::min({a, b, c}), std::max({a, b, c})};
 }
 
+double MeshSlicer::mapped_u(Index from, Index to, double share) const {
+    const double a = map_->u[from], b = map_->u[to];
+    return map_->period > 0 ? a + share * std::remainder(b - a, map_->period) : a + share * (b - a);
+}
+
 std::vector<SliceChain> MeshSlicer::slice(double offset) const {
     std::vector<Crossing> crossings;
     std::vector<Segment> segments;
@@ -99,8 +105,7 @@ std::vector<SliceChain> MeshSlicer::slice(double offset) const {
                 crossings.push_back(point_on_edge(mesh_, a, v(a) - offset, b, v(b) - offset));
                 Crossing& c = crossings.back();
                 c.at.facet = Index(f);
-                c.at.u = map_ ? map_->u[c.from] + c.share * (map_->u[c.to] - map_->u[c.from])
-                              : frame_.u(c.at.point);
+                c.at.u = map_ ? mapped_u(c.from, c.to, c.share) : frame_.u(c.at.point);
             }
             crossings[it->second].normals += geometry_.facet_normals[f];
             crossings[it->second].segments.push_back(std::uint32_t(segments.size()));

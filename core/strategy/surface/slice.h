@@ -38,7 +38,8 @@ public:
 
     /// Chains of the plane v = offset. Open chains run in the direction of growing u between their ends,
     /// closed ones start at their smallest u. Chains come in the order of their smallest u. At a non-manifold
-    /// edge chains are joined in the order of facets.
+    /// edge chains are joined in the order of facets. Where the map goes round u jumps back by its period
+    /// somewhere along a chain, which may run either way.
     std::vector<SliceChain> slice(double offset) const;
 
     /// Range of v over all facets; lo > hi for a mesh without facets.
@@ -48,6 +49,7 @@ public:
 private:
     double v(Index vertex) const { return map_ ? map_->v[vertex] : frame_.v(mesh_.vertices[vertex]); }
     std::pair<double, double> range_of(std::size_t facet) const;
+    double mapped_u(Index from, Index to, double share) const;
 
     const Mesh& mesh_;
     const MeshGeometry& geometry_;

@@ -3,7 +3,9 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace facetmill {
 
@@ -24,6 +26,143 @@ void measure(SurfaceLine& line) {
     for (std::size_t i = 1; i < line.points.size(); ++i)
         line.arc.push_back(line.arc.back() + (line.points[i].point - line.points[i - 1].point).norm());
 }
+
+/// Points of a closed or open run in which u goes on to grow, or to fall, where it would begin anew.
+void unwind(std::vector<SlicePoint>& points, double period) {
+    for (std::size_t i = 1; i < points.size(); ++i)
+        points[i].u = points[i - 1].u + std::remainder(points[i].u - points[i - 1].u, period);
+}
+
+void shift_u(std::vector<SlicePoint>& points, double by) {
+    for (SlicePoint& p : points)
+        p.u += by;
+}
+
+/// One round of a closed run, from u = 0 on, without its end.
+std::vector<SlicePoint> whole_round(std::vector<SlicePoint> run, double period) {
+    shift_u(run, -period * std::ceil(run.front().u / period));
+    // From below 0 to a round above that: the first place where it comes to 0.
+    std::size_t at = 0;
+    while (at < run.size() && run[at].u < 0)
+        ++at;
+    if (at == 0) return run;
+    const SlicePoint& before = run[at - 1];
+    SlicePoint after = run[at % run.size()];
+    if (at == run.size()) after.u += period;
+    SlicePoint start = between(before, after, -before.u / (after.u - before.u));
+    start.u = 0;
+    std::vector<SlicePoint> round;
+    if (before.u < 0 && after.u > 0) round.push_back(start);
+    for (std::size_t i = at; i < run.size(); ++i)
+        round.push_back(run[i]);
+    for (std::size_t i = 0; i < at; ++i) {
+        round.push_back(run[i]);
+        round.back().u += period;
+    }
+    return round;
+}
+
+/// A closed run that goes round, cut at u = 0 and longer by as much as asked.
+SurfaceLine line_round(const std::vector<SlicePoint>& run, double period, double before, double after,
+                       long max_after) {
+    const std::vector<SlicePoint> round = whole_round(run, period);
+    const auto n = long(round.size());
+    const auto at = [&](long i) {
+        const long rounds = i >= 0 ? i / n : -((n - 1 - i) / n);
+        SlicePoint p = round[std::size_t(i - rounds * n)];
+        p.u += double(rounds) * period;
+        return p;
+    };
+    long first = 0, last = n;
+    for (double gone = 0; gone < before && first > -n; --first)
+        gone += (at(first - 1).point - at(first).point).norm();
+    for (double gone = 0; gone < after && last < (1 + max_after) * n; ++last)
+        gone += (at(last + 1).point - at(last).point).norm();
+    SurfaceLine line;
+    for (long i = first; i <= last; ++i)
+        line.points.push_back(at(i));
+    line.goes_on = {true, true};
+    measure(line);
+    return line;
+}
+
+/// Lines of chains whose u goes round, from u = 0 to a round and what is asked beyond it; what is open and
+/// lies across the beginning of a round is at both ends of that.
+class RoundLines {
+public:
+    RoundLines(const SurfaceSlice::Options& options, const UpSide& up, double before, double after)
+        : options_(options), up_(up), before_(before), after_(after) {}
+
+    void add(const SliceChain& chain, std::vector<SurfaceLine>& lines) const {
+        std::vector<SlicePoint> points = chain.points;
+        if (!options_.as_wound)
+            for (SlicePoint& p : points)
+                p.normal = up_.towards_tool(p.normal);
+        const auto usable = [&](const SlicePoint& p) {
+            return options_.as_wound || p.normal.z() > tolerance::vertical_normal_z;
+        };
+        const auto ends = std::find_if_not(points.begin(), points.end(), usable);
+        if (ends == points.end()) {
+            add_run(std::move(points), chain.closed, lines);
+            return;
+        }
+        if (chain.closed) std::rotate(points.begin(), ends, points.end());
+        std::vector<SlicePoint> run;
+        for (const SlicePoint& p : points)
+            if (usable(p))
+                run.push_back(p);
+            else
+                add_run(std::exchange(run, {}), false, lines);
+        add_run(std::move(run), false, lines);
+    }
+
+private:
+    void add_run(std::vector<SlicePoint> run, bool closed, std::vector<SurfaceLine>& lines) const {
+        if (run.size() < 2) return;
+        const double period = options_.period;
+        if (closed) run.push_back(run.front());
+        unwind(run, period);
+        if (run.back().u < run.front().u) std::reverse(run.begin(), run.end());
+        if (closed && run.back().u - run.front().u > 0.5 * period) {
+            run.pop_back();
+            SurfaceLine line = line_round(run, period, before_, after_, before_ > 0 ? 2 : 1);
+            if (line.length() > 0) lines.push_back(std::move(line));
+            return;
+        }
+        if (!closed) return add_open(std::move(run), lines);
+        // About a hole: there and back.
+        run.pop_back();
+        const auto by_u = [](const SlicePoint& a, const SlicePoint& b) { return a.u < b.u; };
+        std::rotate(run.begin(), std::min_element(run.begin(), run.end(), by_u), run.end());
+        const auto turn = std::max_element(run.begin(), run.end(), by_u);
+        std::vector<SlicePoint> back(turn, run.end());
+        back.push_back(run.front());
+        std::reverse(back.begin(), back.end());
+        run.erase(turn + 1, run.end());
+        add_open(std::move(run), lines);
+        add_open(std::move(back), lines);
+    }
+
+    void add_open(std::vector<SlicePoint> run, std::vector<SurfaceLine>& lines) const {
+        if (run.size() < 2) return;
+        const double period = options_.period;
+        shift_u(run, -period * std::floor(run.front().u / period));
+        SurfaceLine whole;
+        whole.points = std::move(run);
+        measure(whole);
+        if (!(whole.length() > 0)) return;
+        while (whole.points.back().u > 0) {
+            std::array<bool, 2> cut_short{};
+            SurfaceLine part = part_of_line(whole, -before_, period + std::min(after_, period), cut_short);
+            if (part.points.size() >= 2 && part.length() > 0) lines.push_back(std::move(part));
+            shift_u(whole.points, -period);
+        }
+    }
+
+    const SurfaceSlice::Options& options_;
+    const UpSide& up_;
+    double before_, after_;
+};
 
 /// The runs of a chain that face the tool.
 void add_usable(const SliceChain& chain, const UpSide& up, std::vector<SurfaceLine>& lines) {
@@ -58,6 +197,35 @@ void add_usable(const SliceChain& chain, const UpSide& up, std::vector<SurfaceLi
 }
 
 } // namespace
+
+SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::array<bool, 2>& cut_short) {
+    SurfaceLine part;
+    const auto& p = line.points;
+    const std::array<bool, 2> cut{p.front().u<u0, p.back().u> u1};
+    cut_short = {cut[0] || line.goes_on[0], cut[1] || line.goes_on[1]};
+    if (!cut[0] && !cut[1]) return line;
+    const auto crossing = [&](std::size_t i, double u) {
+        const double step = p[i].u - p[i - 1].u;
+        return line.at(line.arc[i - 1]
+                       + (step > 0 ? std::clamp((u - p[i - 1].u) / step, 0.0, 1.0) : 0)
+                             * (line.arc[i] - line.arc[i - 1]));
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p[i].u > u1) {
+            if (i > 0 && p[i - 1].u <= u1) {
+                if (part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
+                part.points.push_back(crossing(i, u1));
+            }
+            break;
+        }
+        if (p[i].u < u0) continue;
+        if (i > 0 && part.points.empty() && p[i - 1].u < u0) part.points.push_back(crossing(i, u0));
+        part.points.push_back(p[i]);
+    }
+    part.goes_on = cut_short;
+    if (!part.points.empty()) measure(part);
+    return part;
+}
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
@@ -96,14 +264,20 @@ SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& option
     : steepest_u_(options.steepest_u) {
     for (SurfaceLine& line : lines) {
         Chain chain;
-        ends_.push_back({line.points.front().point, line.points.front().u, true});
-        ends_.push_back({line.points.back().point, line.points.back().u, false});
+        const double before = line.goes_on[0] ? 0 : options.extension,
+                     after = line.goes_on[1] ? 0 : options.extension;
+        if (!line.goes_on[0]) ends_.push_back({line.points.front().point, line.points.front().u, true});
+        if (!line.goes_on[1]) ends_.push_back({line.points.back().point, line.points.back().u, false});
         const auto [least, most] =
             std::minmax_element(line.points.begin(), line.points.end(),
                                 [](const SlicePoint& a, const SlicePoint& b) { return a.u < b.u; });
-        ranges_.push_back({least->u, most->u});
+        // What lies beyond a round is asked for at its beginning.
+        if (options.period > 0)
+            ranges_.push_back({std::max(least->u, 0.0), std::min(most->u, options.period)});
+        else
+            ranges_.push_back({least->u, most->u});
         const auto add = [&](const SlicePoint& p) { chain.push_back(p); };
-        if (options.extension > 0) add(line.at(-options.extension));
+        if (before > 0) add(line.at(-before));
         std::size_t last = 0;
         add(line.points.front());
         const auto fill = [&](std::size_t from, std::size_t to) {
@@ -130,7 +304,7 @@ SurfaceSlice::SurfaceSlice(std::vector<SurfaceLine> lines, const Options& option
             last = i - 1;
         }
         fill(last, line.points.size() - 1);
-        if (options.extension > 0) add(line.at(line.length() + options.extension));
+        if (after > 0) add(line.at(line.length() + after));
         chains_.push_back(std::move(chain));
     }
     for (std::size_t c = 0; c < chains_.size(); ++c)
@@ -202,9 +376,16 @@ long SurfaceLines::beyond(double v, double from) const {
 }
 
 std::vector<SurfaceLine> SurfaceLines::lines(double v) const {
+    return lines(v, 0, options_.overlap);
+}
+
+std::vector<SurfaceLine> SurfaceLines::lines(double v, double before, double after) const {
     std::vector<SurfaceLine> all;
     for (const SliceChain& chain : slicer_.slice(v))
-        add_usable(chain, up_, all);
+        if (options_.period > 0)
+            RoundLines(options_, up_, before, after).add(chain, all);
+        else
+            add_usable(chain, up_, all);
     if (turned_)
         for (SurfaceLine& line : all)
             for (SlicePoint& p : line.points) {
@@ -220,7 +401,8 @@ std::shared_ptr<const SurfaceSlice> SurfaceLines::slice(long plane) const {
         if (const auto it = slices_.find(plane); it != slices_.end()) return it->second;
     }
     // Two threads may both make it; they make the same.
-    auto made = std::make_shared<const SurfaceSlice>(lines(v(plane)), options_);
+    auto made = std::make_shared<const SurfaceSlice>(
+        lines(v(plane), options_.extension, options_.overlap + options_.extension), options_);
     const std::lock_guard lock(mutex_);
     return slices_.emplace(plane, std::move(made)).first->second;
 }

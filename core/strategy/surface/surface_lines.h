@@ -10,6 +10,7 @@
 #include "core/strategy/surface/slice.h"
 #include "core/strategy/surface/up_side.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,6 +23,8 @@ namespace facetmill {
 struct SurfaceLine {
     std::vector<SlicePoint> points; ///< at least two, running towards growing u between their ends
     std::vector<double> arc;        ///< length along the line up to each point, mm
+    /// The surface goes on before the first point, after the last: a round (PassMap::period) was cut there.
+    std::array<bool, 2> goes_on{};
 
     double length() const { return arc.back(); }
     /// Point, normal and u at a length along the line; beyond its ends it goes on straight.
@@ -29,6 +32,10 @@ struct SurfaceLine {
     /// Unit direction of the line there.
     Vec3 direction(double s) const;
 };
+
+/// The part of a line between two u; without points where it has none there. `cut_short`: what `goes_on` is
+/// of the part.
+SurfaceLine part_of_line(const SurfaceLine& line, double u0, double u1, std::array<bool, 2>& cut_short);
 
 /// Distance of p from the segment a b, mm.
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
@@ -41,6 +48,9 @@ public:
         double longest = 1;       ///< pieces are no longer than this, mm
         double extension = 0;     ///< open ends are continued straight by this, mm
         double steepest_u = 1;    ///< the most that u changes by along any way, mm per mm
+        double period = 0;        ///< of u (PassMap)
+        double overlap = 0;       ///< lines that go round go on by so much after it, mm, or by a round
+        bool as_wound = false;    ///< normals are those of the winding, and lines end at none of them
     };
 
     SurfaceSlice(std::vector<SurfaceLine> lines, const Options& options);
@@ -99,6 +109,9 @@ public:
     void forget(long below);
 
 private:
+    /// The same, where they are cut in a round `before` and `after` mm longer.
+    std::vector<SurfaceLine> lines(double v, double before, double after) const;
+
     MeshSlicer slicer_;
     double spacing_;
     SurfaceSlice::Options options_;
