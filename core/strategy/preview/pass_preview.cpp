@@ -11,6 +11,7 @@
 #include "core/strategy/preview/preview_curves.h"
 #include "core/strategy/preview/preview_flow.h"
 #include "core/strategy/preview/preview_levels.h"
+#include "core/strategy/preview/preview_rings.h"
 #include "core/strategy/preview/preview_scallop.h"
 #include "core/strategy/preview/preview_turning.h"
 #include "core/strategy/preview/preview_valleys.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace facetmill {
 
@@ -207,12 +209,23 @@ private:
         preview_.step = step;
         // A tool that leans with the surface leaves strips as wide on any slope.
         const PreviewStep strips{cusp, step, step, fixed};
-        const bool flows = s.passes == Finish5Settings::Passes::morph;
-        const std::vector<PlanLine> lines = flows
-                                                ? flow_lines(field, request_, strips, progress.part(0.4, 0.5))
-                                                : parallel_lines(field, request_.travel, strips, progress);
-        lay_lines(lines, laying(field), preview_, progress.part(0.5, 1));
+        using Passes = Finish5Settings::Passes;
+        PreviewRings rings;
+        if (s.passes == Passes::around)
+            rings = preview_rings(request_, step, cutter_.max_radius(), progress.part(0.4, 0.5));
+        const std::vector<PlanLine> lines =
+            s.passes == Passes::parallel
+                ? parallel_lines(field, request_.travel, strips, progress)
+                : flow_lines(field, request_, strips, rings.facets, progress.part(0.5, 0.6));
+        lay_lines(lines, laying(field), preview_, progress.part(0.6, 1));
+        add_rings(std::move(rings));
         preview_.without.emplace_back(as<GlobalLocal>() ? "regions of rework" : "postures");
+    }
+    void add_rings(PreviewRings&& rings) {
+        preview_.passes += rings.passes;
+        preview_.drawn_every = std::max(preview_.drawn_every, rings.drawn_every);
+        preview_.spacing = std::max(preview_.spacing, rings.spacing);
+        std::move(rings.lines.begin(), rings.lines.end(), std::back_inserter(preview_.lines));
     }
     /// How much most of the surface bends away from a plane across the travel, 1/mm: all but a quarter.
     double convex_bend(const PreviewField& field) const {

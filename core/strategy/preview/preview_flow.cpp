@@ -19,14 +19,24 @@ const double min_facing = std::cos(radians(80));
 } // namespace
 
 std::vector<PlanLine> flow_lines(const PreviewField& field, const PreviewRequest& request,
-                                 const PreviewStep& step, const Progress& progress) {
+                                 const PreviewStep& step, const std::vector<char>& without,
+                                 const Progress& progress) {
     const Mesh ground = request.ground->mesh();
     std::vector<Index> cut;
+    const CoarseGrid& grid = request.ground->grid();
+    const auto is_others = [&](const Vec3& p) {
+        const int x = grid.column(p.x()), y = grid.row(p.y());
+        if (without.empty() || !grid.has(x, y)) return false;
+        const Index facet = request.ground->facet()[grid.index(x, y)];
+        return facet < without.size() && without[facet] != 0;
+    };
     for (std::size_t f = 0; f < ground.facet_count(); ++f) {
         const Vec3 middle = (ground.corner(f, 0) + ground.corner(f, 1) + ground.corner(f, 2)) / 3;
-        if (ground.facet_normal(f).z() >= min_facing && field.kept(Vec2(middle.x(), middle.y())))
+        if (ground.facet_normal(f).z() >= min_facing && field.kept(Vec2(middle.x(), middle.y()))
+            && !is_others(middle))
             cut.push_back(Index(f));
     }
+    if (cut.empty()) return {};
     const Mesh mesh = part_of(ground, cut).mesh;
     const DriveFrame frame(request.travel);
     const double apart = field.step_everywhere(step);

@@ -7,8 +7,10 @@
 namespace facetmill {
 
 /// As far apart as the tolerance allows where they are farthest from each other. Throws
-/// Error(limit_exceeded) for more than may be drawn.
+/// Error(limit_exceeded) for more than may be drawn. `without`: facets of the part that others cut; empty:
+/// none.
 std::vector<PlanLine> flow_lines(const PreviewField& field, const PreviewRequest& request,
-                                 const PreviewStep& step, const Progress& progress);
+                                 const PreviewStep& step, const std::vector<char>& without,
+                                 const Progress& progress);
 
 } // namespace facetmill

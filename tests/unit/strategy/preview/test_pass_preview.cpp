@@ -54,6 +54,34 @@ Mesh rod() {
     return mesh;
 }
 
+/// A plate of 40 mm with a peg on it, 8 mm round and 18 high.
+Mesh peg_on_a_plate(int around) {
+    Mesh mesh;
+    constexpr int levels = 24, outward = 8;
+    for (int i = 0; i < around; ++i) {
+        const double angle = 2 * pi * i / around, x = std::cos(angle), y = std::sin(angle);
+        for (int k = 0; k <= levels; ++k)
+            mesh.vertices.emplace_back(8 * x, 8 * y, 18.0 * (levels - k) / levels);
+        const double edge = 20 / std::max(std::abs(x), std::abs(y));
+        for (int k = 1; k <= outward; ++k) {
+            const double out = 8 + (edge - 8) * k / outward;
+            mesh.vertices.emplace_back(out * x, out * y, 0);
+        }
+    }
+    const auto top = Index(mesh.vertices.size());
+    mesh.vertices.emplace_back(0, 0, 18);
+    constexpr int column = levels + outward + 1;
+    const auto at = [&](int i, int k) { return Index(i % around * column + k); };
+    for (int i = 0; i < around; ++i) {
+        mesh.facets.push_back({at(i, 0), at(i + 1, 0), top});
+        for (int k = 0; k + 1 < column; ++k) {
+            mesh.facets.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+            mesh.facets.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+        }
+    }
+    return mesh;
+}
+
 std::unique_ptr<Operation> operation_of(const std::string& kind) {
     auto op = make_operation(kind);
     op->common().tolerance = cusp;
@@ -217,6 +245,43 @@ private slots:
             }
             QVERIFY2(most - least < 2, qPrintable(QString("%1 to %2").arg(least).arg(most)));
         }
+    }
+
+    void rings_go_about_what_goes_round_data() {
+        QTest::addColumn<int>("around");
+        QTest::newRow("as it is") << 60;
+        QTest::newRow("made coarser") << 600;
+    }
+    /// About a peg on a plate they are level and closed; the plate itself is cut from edge to edge.
+    void rings_go_about_what_goes_round() {
+        QFETCH(int, around);
+        const Mesh mesh = peg_on_a_plate(around);
+        const auto op = operation_of("finish5");
+        op->set("passes", std::string("around"));
+        const PreviewRequest request = request_for(mesh, *op, ball_tool(3));
+        const PassPreview preview = preview_passes(*op, request, Progress());
+        std::size_t rings = 0, others = 0;
+        for (const auto& line : preview.lines) {
+            Box3 box;
+            for (const Vec3& p : line)
+                box.add(p);
+            if (box.lo.z() > 1.5 && box.hi.z() < 17.5) {
+                ++rings;
+                QVERIFY((line.front() - line.back()).norm() < 1e-9);
+                QVERIFY2(box.size().z() < 2 * preview.spacing, qPrintable(QString::number(box.size().z())));
+                for (const Vec3& p : line)
+                    QVERIFY(std::hypot(p.x(), p.y()) < 8 + preview.spacing);
+            } else if (box.hi.z() < 0.5) {
+                ++others;
+            }
+        }
+        const double apart = preview.step;
+        QVERIFY2(double(rings) > 0.6 * 16 / apart && double(rings) < 1.5 * 16 / apart,
+                 qPrintable(QString("%1 rings %2 apart").arg(rings).arg(apart)));
+        QVERIFY(others > 3);
+        op->set("passes", std::string("morph"));
+        for (const auto& line : preview_passes(*op, request, Progress()).lines)
+            QVERIFY((line.front() - line.back()).norm() > 1e-9);
     }
 
     void any_number_of_threads_makes_the_same_lines_data() { add_kinds(true); }
