@@ -20,15 +20,15 @@ namespace {
 
 /// Width of those on the left: a form of lengths with their units, and at most, where choices with long names
 /// can be read whole.
-constexpr int left_width = 312, widest_left = 400;
+constexpr int left_width = 312, widest_left = 440;
 /// Width of the docks on the right at which their tabs can be read whole in most languages, and at most.
 constexpr int right_width = 306, widest_right = 360;
 /// A window below this width has no room for docks on both sides.
 constexpr int narrow_window = 1000;
 
-/// A fifth of the window, within these.
+/// A share of the window, within these.
 int left_width_in(const QWidget& window) {
-    return std::clamp(window.width() / 5, left_width, widest_left);
+    return std::clamp(window.width() * 23 / 100, left_width, widest_left);
 }
 
 /// Of docks on the right whose tabs stand side by side.

@@ -161,7 +161,7 @@ private slots:
         };
         const int usual = wide_after(1280);
         QVERIFY(usual < 330);
-        QVERIFY(wide_after(1920) >= 375);
+        QVERIFY(wide_after(1920) >= 430);
         QVERIFY(std::abs(wide_after(1280) - usual) <= 2);
         auto* dock = w().findChild<QDockWidget*>(QStringLiteral("properties_dock"));
         w().resizeDocks({dock}, {350}, Qt::Horizontal);
