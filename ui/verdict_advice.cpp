@@ -4,6 +4,7 @@
 #include "core/job/project_setup.h"
 #include "core/job/usual_tools.h"
 #include "core/strategy/surface/slope_facets.h"
+#include "core/verify/judged_radius.h"
 #include "core/verify/verify.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
@@ -24,11 +25,12 @@ const UncutReason* main_reason(const Verification& v) {
 
 /// Which operations of a setup are there already, of those that could be advised.
 struct Present {
-    explicit Present(const Project& of) : project(of) {
+    Present(const Project& of, const Verification& v) : project(of) {
         for (const Operation* o : operations_on(of)) {
             rough = rough || o->purpose() == Purpose::roughing;
             clean = clean || o->purpose() == Purpose::cleaning;
         }
+        if (v.surface) narrowest = narrowest_judged(*v.surface, v.used);
     }
 
     /// The tool of the operation of this name where no clean-up has it yet; nullptr: one has.
@@ -42,8 +44,8 @@ struct Present {
     }
 
     /// The narrowest that finishes or cleans up, where one that can be bought is narrower yet; nullptr: none,
-    /// or nothing cleans up.
-    const Tool* last_but_narrowest() const {
+    /// or nothing cleans up. `too_fine`: nobody could judge what that one leaves.
+    const Tool* last_but_narrowest(bool& too_fine) const {
         const Tool* last = nullptr;
         for (const Operation* o : operations_on(project)) {
             const Tool* tool = find_tool(project.tools, o->common().tool);
@@ -53,6 +55,8 @@ struct Present {
         }
         if (!last) return nullptr;
         const NewOperation next = new_operation("cleanup", project, {{}, last->number});
+        const Tool& tool = next.tool ? *next.tool : project.tool_of(*next.operation);
+        too_fine = 0.5 * tool.diameter < narrowest;
         return !next.tool || usual_diameter(next.tool->diameter, project.unit) <= next.tool->diameter
                    ? last
                    : nullptr;
@@ -60,6 +64,7 @@ struct Present {
 
     const Project& project;
     bool rough = false, clean = false;
+    double narrowest = 0; ///< radius of a cutter that can be judged, mm
 };
 
 /// What finishes cut by their limits of slope, and whose limits these are; null: one of them cuts all that
@@ -135,24 +140,35 @@ VerdictAdvice advice_on(const Collision& c, const Present& there) {
             "rough"};
 }
 
-VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
-    using Why = UncutReason::Why;
-    switch (r.why) {
-    case Why::no_tool:
-        if (const Tool* last = there.last_but_narrowest())
-            return {
-                tr("What to do: add another Clean-up, with a smaller tool after %1; or accept what stays, "
+/// No tool is narrow enough.
+VerdictAdvice advice_for_hollows(const Present& there) {
+    bool too_fine = false;
+    if (const Tool* last = there.last_but_narrowest(too_fine)) {
+        if (too_fine)
+            return {tr("What to do: accept what stays, by Uncut limit in Verification limits: what a smaller "
+                       "tool than %1 leaves on a part so large is too fine to be judged.")
+                        .arg(text(last->name)),
+                    {}};
+        return {tr("What to do: add another Clean-up, with a smaller tool after %1; or accept what stays, "
                    "by Uncut limit in Verification limits.")
                     .arg(text(last->name)),
                 "cleanup",
                 {{}, last->number}};
-        if (there.clean)
-            return {tr("What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in "
-                       "Verification limits."),
-                    {}};
-        return {tr("What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut "
-                   "limit in Verification limits."),
-                "cleanup"};
+    }
+    if (there.clean)
+        return {tr("What to do: a smaller tool in Clean-up; or accept what stays, by Uncut limit in "
+                   "Verification limits."),
+                {}};
+    return {tr("What to do: add Clean-up, which takes a smaller tool; or accept what stays, by Uncut "
+               "limit in Verification limits."),
+            "cleanup"};
+}
+
+VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
+    using Why = UncutReason::Why;
+    switch (r.why) {
+    case Why::no_tool:
+        return advice_for_hollows(there);
     case Why::no_operation:
         if (const Tool* fits = there.unused_in_clean_up(r.program))
             return {tr("What to do: add Clean-up with %1, which fits there.").arg(text(fits->name)),
@@ -212,7 +228,7 @@ std::optional<VerdictAdvice> enough_to_add(const Verification& v, const Present&
 
 VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
     if (v.verdict() != facetmill::Verdict::failed) return {};
-    const Present there(project);
+    const Present there(project, v);
     if (!v.collisions.empty()) return advice_on(v.collisions.front(), there);
     const UncutReason* reason = v.left_uncut() ? main_reason(v) : nullptr;
     if (!reason) return {};

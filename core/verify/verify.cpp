@@ -9,6 +9,7 @@
 #include "core/mesh/triangle_distance.h"
 #include "core/verify/deviation.h"
 #include "core/verify/fixture_touch.h"
+#include "core/verify/judged_radius.h"
 #include "core/verify/removal.h"
 #include "core/verify/stock_tiles.h"
 #include "core/verify/uncut_reasons.h"
@@ -460,6 +461,19 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     v.seconds_probing = seconds_since(start);
     progress.set(1.0);
     return v;
+}
+
+double narrowest_judged(const DeviationSurface& part, const VerifySettings& used) {
+    double area = 0;
+    const auto corner = [&](std::uint32_t i) {
+        return Vec3(part.points[i][0], part.points[i][1], part.points[i][2]);
+    };
+    for (const auto& t : part.triangles) {
+        const Vec3 a = corner(t[0]);
+        area += 0.5 * (corner(t[1]) - a).cross(corner(t[2]) - a).norm();
+    }
+    // A place for each half of a square of the spacing, as in estimates of the work.
+    return std::sqrt(2 * area / double(times_to_judge * used.max_samples)) / coarsest_look;
 }
 
 } // namespace facetmill

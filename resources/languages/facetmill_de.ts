@@ -16104,6 +16104,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Was zu tun ist: ein Werkzeug mit längeren Schneiden, oder ein kleineres Aufmaß in Schruppen.</translation>
     </message>
     <message>
+        <source>What to do: accept what stays, by Uncut limit in Verification limits: what a smaller tool than %1 leaves on a part so large is too fine to be judged.</source>
+        <translation>Was zu tun ist: zulassen, was stehen bleibt: „Grenze des Stehengebliebenen“ in „Grenzen der Prüfung“. Was ein kleineres Werkzeug als %1 auf einem so großen Teil stehen lässt, ist zu fein, um beurteilt zu werden.</translation>
+    </message>
+    <message>
         <source>What to do: add %1, which cuts what is more level than %2 does.</source>
         <translation>Was zu tun ist: %1 hinzufügen, das fräst, was flacher ist, als %2 geht.</translation>
     </message>

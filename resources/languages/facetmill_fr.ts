@@ -16102,6 +16102,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Que faire : un outil à dents plus longues, ou une surépaisseur plus petite dans Ébauche.</translation>
     </message>
     <message>
+        <source>What to do: accept what stays, by Uncut limit in Verification limits: what a smaller tool than %1 leaves on a part so large is too fine to be judged.</source>
+        <translation>Que faire : accepter ce qui reste, par « Limite du non-usiné » dans « Limites de la vérification ». Ce qu'un outil plus petit que %1 laisse sur une pièce si grande est trop fin pour être jugé.</translation>
+    </message>
+    <message>
         <source>What to do: add %1, which cuts what is more level than %2 does.</source>
         <translation>Que faire : ajouter %1, qui usine ce qui est plus plat que ce que fait %2.</translation>
     </message>

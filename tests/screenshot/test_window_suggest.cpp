@@ -199,6 +199,19 @@ private slots:
         QVERIFY(ui::verdict_advice(v, project).wish.previous_tool == 2);
         project.tools[1].diameter = 2 * (project.tools[1].corner_radius = 0.25);
         QVERIFY(says(v, "smaller tool in Clean-up"));
+        // Not where nobody could judge what it leaves: places a quarter of its diameter apart would be too
+        // many.
+        project.tools[1].diameter = 2 * (project.tools[1].corner_radius = 1);
+        auto surface = std::make_shared<DeviationSurface>();
+        surface->points = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}};
+        surface->triangles = {{0, 1, 2}};
+        v.surface = surface;
+        v.used.max_samples =
+            30000; // four times as many on 5000 mm^2 lie a little over a quarter of 1 mm apart
+        QVERIFY(says(v, "too fine to be judged"));
+        v.used.max_samples = 50000;
+        QVERIFY(says(v, "another Clean-up", "cleanup"));
+        v.surface.reset();
         // Of a flat that cleaned floors after a narrower ball, the ball is what the next one comes after.
         project.tools[1].diameter = 6;
         project.tools[1].corner_radius = 0;
