@@ -139,6 +139,12 @@ private slots:
                 const double enough = got + uniform(rng, -1, 0.1);
                 const double early = lift.lift(pose, curve, hint, enough);
                 QVERIFY(got > enough ? early > enough && early <= got : early == got);
+                // Each place by itself may be enough, and never says too much.
+                for (std::uint32_t k = 0; k < curve.size(); ++k) {
+                    CurveLift::Hint there{k};
+                    const double some = lift.lift(pose, curve, there, got - 100);
+                    QVERIFY(some > got - 100 && some <= got);
+                }
                 if (i % 10 == 0) {
                     const double many = sampled_top(brute, pose, curve);
                     QVERIFY2(many <= got + 1e-9, name);
