@@ -171,14 +171,21 @@ void ContactWidths::find_widths(EstimatedContact& contact, double gap, ToolLift:
         };
         // Inclined further than one that is held and need hardly be lifted its strip is narrower.
         const double hardly = lifted_share * field_.cusp();
-        std::size_t asked = 0; // the leads below have to be lifted more, or are not held
+        bool rises_aside = false; // the largest lead may clear more than smaller ones
+        std::size_t asked = 0;    // the leads below have to be lifted more, or are not held
         const auto serves = [&](std::size_t l) {
             const double delta = bottom(l);
             return delta <= hardly && counts({leads[l], yaw, delta});
         };
         for (std::size_t l = 0; l < leads.size() && most < enough; ++l) {
             // Lifted clear of the part it holds less still.
-            if (!may_be_wider(width.standing({leads[l], yaw, arched}))) continue;
+            if (!may_be_wider(width.standing({leads[l], yaw, arched}))) {
+                // Inclined further it holds less, but where the part rises towards the side it leans to: the
+                // largest lead tells.
+                if (!rises_aside && !may_be_wider(width.standing({leads.back(), yaw, arched}))) break;
+                rises_aside = true;
+                continue;
+            }
             while (asked < l && !serves(asked))
                 ++asked;
             if (asked < l) break;
