@@ -228,4 +228,14 @@ ToolMotions turned_motions(ToolMotions motions, const Mat3& turn) {
     return motions;
 }
 
+std::shared_ptr<const PreparedPart> with_normals(std::shared_ptr<const PreparedPart> part,
+                                                 const Project& project, const Progress& progress) {
+    const bool turns =
+        std::ranges::any_of(project.operations, [](const auto& o) { return !o->keeps_axis(); });
+    if (part->geometry || !turns) return part;
+    auto measured = std::make_shared<PreparedPart>(*part);
+    measured->geometry = compute_geometry(*part->mesh, progress);
+    return measured;
+}
+
 } // namespace facetmill

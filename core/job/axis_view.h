@@ -53,4 +53,10 @@ MeshPtr turned_mesh(const MeshPtr& mesh, const Mat3& turn);
 StrategyResult turned_path(const StrategyResult& path, const Mat3& turn);
 ToolMotions turned_motions(ToolMotions motions, const Mat3& turn);
 
+/// The part with normals all over it where an operation of the project turns its axis; else as it is. Those
+/// that keep their axis hardly ask for any, and make them for themselves: for a million facets they take 36
+/// MB.
+std::shared_ptr<const PreparedPart> with_normals(std::shared_ptr<const PreparedPart> part,
+                                                 const Project& project, const Progress& progress);
+
 } // namespace facetmill

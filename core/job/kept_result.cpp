@@ -386,7 +386,16 @@ template <class Coder>
 void tell_known(Coder& coder, const PreparedPart& part) {
     coder.knows(part.mesh);
     coder.knows(part.kept_off);
-    coder.knows(part.geometry);
+}
+
+/// Normals of the whole part that a path was planned with; null where it has none, or those of pieces.
+std::shared_ptr<const MeshGeometry> part_normals(const StrategyResult& path, const PreparedPart& part) {
+    if (const auto* tilted = path.as<TiltedPath>(); tilted && tilted->record)
+        if (const PlanContext& context = tilted->record->context; context.part == part.mesh)
+            return context.geometry;
+    if (const auto* global_local = path.as<GlobalLocalPath>(); global_local && global_local->rework)
+        return part_normals(global_local->rework->path, part);
+    return nullptr;
 }
 
 /// Gives what was just read the part of its contexts that is not written; `whole`: of the operation.
@@ -407,6 +416,11 @@ void complete(const StrategyResult& path, const PlanContext& whole) {
 std::string result_bytes(const OperationResult& result, const PreparedPart& part, const Progress& progress) {
     ByteWriter writer(progress);
     tell_known(writer, part);
+    // Whoever reads works them out of the part, where it has none yet.
+    const auto normals = part_normals(result.path, part);
+    const bool has_normals = normals != nullptr;
+    writer(has_normals);
+    writer.knows(normals);
     writer(result);
     return writer.take();
 }
@@ -416,6 +430,10 @@ std::shared_ptr<const OperationResult> result_from_bytes(std::string_view bytes,
                                                          const Progress& progress) {
     ByteReader reader(bytes, progress);
     tell_known(reader, part);
+    bool has_normals = false;
+    reader(has_normals);
+    if (has_normals)
+        reader.knows(part.geometry ? part.geometry : compute_geometry(*part.mesh, progress.part(0, 0)));
     auto result = std::make_shared<OperationResult>();
     reader(*result);
     reader.end();

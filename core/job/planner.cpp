@@ -408,7 +408,6 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         if (project.part.scale != 1) add_scale_warnings(part->report, part->box);
         check_coordinates(part->box, "part");
         part->reach = reach_about_middle(*part->mesh, part->box);
-        part->geometry = compute_geometry(*part->mesh, reading.part(0.68, 1.0, "Measuring the part"));
         ++c.work.placements;
         c.part = std::move(part);
         c.part_key = part_key;
@@ -416,6 +415,7 @@ std::shared_ptr<const PreparedPart> Planner::prepare(const Project& project, con
         c.held_key.clear();
         c.upright.index = c.upright.kept_off = nullptr;
     }
+    c.part = with_normals(c.part, project, reading.part(0.68, 1.0, "Measuring the part"));
     if (c.stock_key != stock_key) {
         auto part = std::make_shared<PreparedPart>(*c.part);
         part->stock_mesh = has_stock ? load_solid(project.stock_path(), MeshPlace::of(project.stock), "stock",

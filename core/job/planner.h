@@ -30,9 +30,9 @@ struct PreparedPart {
     std::shared_ptr<const std::vector<Index>> faces;
     /// How far the surfaces of the file lie outside and inside the mesh, at most; mm.
     std::array<double, 2> surface_deviation{0, 0};
-    std::size_t turned_facets = 0;   ///< that were wound inward in the file
-    std::vector<StepReport> repairs; ///< what the project's recipe did to the file's mesh
-    std::shared_ptr<const MeshGeometry> geometry;
+    std::size_t turned_facets = 0;                ///< that were wound inward in the file
+    std::vector<StepReport> repairs;              ///< what the project's recipe did to the file's mesh
+    std::shared_ptr<const MeshGeometry> geometry; ///< null where all operations keep their axis
     Box3 box;
     std::array<double, 3> reach{}; ///< see stock_cylinder
     MeshPtr stock_mesh;            ///< in place; null where the stock is neither one nor a rest

@@ -187,6 +187,26 @@ private slots:
         QVERIFY(compared >= 2);
     }
 
+    /// A window's part has none until an operation turns its axis; they are not written a second time.
+    void normals_of_the_part_are_worked_out_where_it_has_none() {
+        const auto& job = bowl();
+        PreparedPart bare = *job.plan->part;
+        QVERIFY(bare.geometry);
+        bare.geometry = nullptr;
+        int compared = 0;
+        for (std::size_t i = 0; i < job.project.operations.size(); ++i) {
+            const std::string bytes = result_bytes(*job.result(i), *job.plan->part, {});
+            QVERIFY(result_bytes(*job.result(i), bare, {}) == bytes);
+            const auto was = job.result(i)->path.five_axis(),
+                       is = result_from_bytes(bytes, job.project, i, bare, {})->path.five_axis();
+            if (!was || was->context.part != bare.mesh) continue;
+            QVERIFY(is->context.geometry->vertex_normals == was->context.geometry->vertex_normals);
+            QVERIFY(is->context.geometry->facet_normals == was->context.geometry->facet_normals);
+            ++compared;
+        }
+        QVERIFY(compared >= 1);
+    }
+
     void a_planner_has_what_it_adopts() {
         const auto& job = bowl();
         Planner other;

@@ -99,6 +99,24 @@ private slots:
         QVERIFY(part->report.warnings.empty());
     }
 
+    /// Those of a part of millions of facets are for operations that look at it from several sides.
+    void its_normals_are_worked_out_where_an_operation_turns_its_axis() {
+        const ScanProject files(2);
+        Project project = files.project(steps);
+        project.operations.push_back(make_operation("finish3"));
+        Planner planner;
+        const auto without = planner.prepare(project, {});
+        QVERIFY(!without->geometry);
+        project.operations.push_back(make_operation("finish5"));
+        const auto with = planner.prepare(project, {});
+        QVERIFY(with->geometry);
+        QCOMPARE(with->geometry->vertex_normals.size(), with->mesh->vertices.size());
+        QCOMPARE(with->mesh.get(), without->mesh.get());
+        // Once they are there they stay.
+        project.operations.pop_back();
+        QCOMPARE(planner.prepare(project, {}).get(), with.get());
+    }
+
     void it_runs_again_when_file_or_recipe_change_and_only_then() {
         const ScanProject files(3);
         Planner planner;
