@@ -88,9 +88,10 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
     const auto retract = [&](const CutterLocation& from) {
         up(MotionKind::retract, from, travel.up_from(from.tip, result.clearance_z), result.clearance_z);
     };
-    // Straight up a wall, of which the flutes have cut all that they reach, most of the way in a rapid.
+    // Straight up a wall, of which the flutes have cut all that they reach, most of the way in a rapid. Up
+    // one that leans by less than moves may stay off the part, too: what it cuts less is no thicker.
     const auto rise = [&](const CutterLocation& from, const CutterLocation& to) {
-        if (from.tip.head<2>() != to.tip.head<2>()) return;
+        if (!((to.tip - from.tip).head<2>().norm() <= 0.5 * options.chord_tolerance)) return;
         const double end = to.tip.z() - travel.clearance(), z = travel.up_from(from.tip, end);
         if (end - z > travel.clearance()) up(MotionKind::cut, from, z, end);
     };
@@ -143,6 +144,8 @@ ToolMotions link_three_axis(const StrategyResult& path, const PlanContext& conte
         }
         for (std::size_t k = 1; k < pass.cl.size(); ++k) {
             rise(pass.cl[k - 1], pass.cl[k]);
+            if (const auto z = travel.fall_to(pass.cl[k - 1].tip, pass.cl[k].tip))
+                add(MotionKind::rapid, at_height(pass.cl[k], *z));
             add(MotionKind::cut, pass.cl[k], pass_index, Index(k));
         }
         last = &pass.cl.back();

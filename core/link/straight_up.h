@@ -18,6 +18,9 @@ public:
     /// Whether the cutter comes up from a tip without cutting: beside a shank and a holder that are as wide
     /// what would stand in its way stood in theirs; beside slimmer ones nothing may stand above the flutes.
     bool is_free(const StockField& field, const Vec3& tip) const;
+    /// Whether a tool that has stood with its tip at a place has left all free above it: shank and holder,
+    /// all of them as wide as the cutter, were there.
+    bool frees_column() const { return !undercut_ && wide_above_; }
     /// How near to what stands a rapid straight up or down comes: the clearance, or half the cutter's radius
     /// where that is less.
     double near_to_stock(double clearance) const;

@@ -1,5 +1,6 @@
 #include "core/link/upright_travel.h"
 
+#include "core/link/beside_places.h"
 #include "core/strategy/surface/stock_before.h"
 
 #include <algorithm>
@@ -9,11 +10,6 @@ namespace facetmill {
 
 namespace {
 
-/// Places beside a tip that are asked: directions, and distances in radii of the cutter.
-constexpr int directions = 8;
-constexpr double beside_shares[] = {0.25, 0.5};
-/// How much of the way at feed they have to save.
-constexpr double worth_share = 0.5;
 /// What a route out of or in to such places may cost at most, in what the one straight up and down does.
 constexpr double aside_share = 0.75;
 /// The size of the field's cells in radii of the cutter. What it tells is never too low.
@@ -21,6 +17,9 @@ constexpr double field_cell_share = 0.1;
 /// What a level rapid keeps from the part sideways, in radii: what lies between two places that are looked at
 /// may take it.
 constexpr double level_share = 0.02;
+/// A tip that is off part and stock by so much of what a rapid keeps from them is out of the cut, as at the
+/// end of a lead: in or out at feed it goes no more than the second share.
+constexpr double off_share = 0.5, touch_share = 0.1;
 /// What a rapid takes, in what the same length takes at feed: an order of magnitude is enough to choose by.
 constexpr double rapid_share = 0.1;
 
@@ -60,41 +59,57 @@ double UprightTravel::clear_height(const Vec2& a, const Vec2& b, double known) {
 double UprightTravel::down_to(const Vec3& tip, double top) {
     if (!stock_) return top;
     const Vec2 p = tip.head<2>();
-    const double stands = clear_height(p, p, tip.z());
-    return std::min(top, stands + clearance_);
+    const double stands = std::min(clear_height(p, p, tip.z() - clearance_), been_at(p));
+    if (!(stands < tip.z() && is_off(tip, stands)))
+        return std::min(top, std::max(stands, tip.z()) + clearance_);
+    return std::min(top, std::max(stands + clearance_, tip.z() + touch_share * clearance_));
+}
+
+std::optional<double> UprightTravel::fall_to(const Vec3& from, const Vec3& tip) {
+    if (!stock_ || from.head<2>() != tip.head<2>()) return std::nullopt;
+    const Vec2 p = tip.head<2>();
+    const double end = std::max(been_at(p), tip.z()) + clearance_;
+    if (!(from.z() - end > clearance_)) return std::nullopt;
+    // Shank and holder may have been brought into stock that nobody roughed.
+    if (stock_bodies_.clear_height(stock_->about(p, p, reach_), p, p) > end) return std::nullopt;
+    return end;
+}
+
+/// Whether a tip is out of the cut: so high over the part, and over what stands as high as that.
+bool UprightTravel::is_off(const Vec3& tip, double stands) const {
+    const double most = tip.z() - off_share * clearance_;
+    return stands <= most && lift_.tip_z(tip.x(), tip.y()) <= most;
 }
 
 double UprightTravel::up_from(const Vec3& tip, double top) {
     if (!stock_ || up_.is_undercut()) return top;
+    const double out = tip.z() + (is_off(tip, -infinity) ? touch_share : 1) * clearance_;
     // Mostly nothing stands as high as they begin, and what was cut where need not be known.
     const double above = stock_->highest() - tip.z();
-    if (above <= std::min(stock_bodies_.lowest_base(), cutter_.height()))
-        return std::min(top, tip.z() + clearance_);
+    if (above <= std::min(stock_bodies_.lowest_base(), cutter_.height())) return std::min(top, out);
     // Shank and holder may have been brought into stock that nobody roughed.
     const Vec2 p = tip.head<2>();
     const StockField& field = stock_->about(p, p, reach_);
     if (!up_.is_free(field, tip) || stock_bodies_.clear_height(field, p, p) > tip.z())
         return down_to(tip, top);
-    return std::min(top, tip.z() + clearance_);
+    return std::min(top, out);
 }
 
 /// Those from which a tool goes to the tip, or back, clear of the part, in less than that at feed.
 std::vector<Vec3> UprightTravel::places_beside(const Vec3& tip, double no_farther) {
     std::vector<Vec3> places;
-    for (const double away : beside_shares)
-        for (int k = 0; k < directions; ++k) {
-            const double angle = 2 * pi * k / directions, r = away * profile_.max_radius();
-            Vec3 place = tip + Vec3(r * std::cos(angle), r * std::sin(angle), 0);
-            place.z() = down_to(place, infinity);
-            if ((place - tip).norm() < no_farther && is_clear(place, tip)) places.push_back(place);
-        }
+    for (const Vec2& p : places_around(tip.head<2>(), profile_.max_radius())) {
+        Vec3 place(p.x(), p.y(), tip.z());
+        place.z() = down_to(place, infinity);
+        if ((place - tip).norm() < no_farther && is_clear(place, tip)) places.push_back(place);
+    }
     return places;
 }
 
 std::optional<Vec3> UprightTravel::beside(const Vec3& tip, double slow) {
     std::optional<Vec3> best;
     if (!stock_) return best;
-    double least = worth_share * slow;
+    double least = beside_worth * slow;
     for (const Vec3& place : places_beside(tip, least))
         if (const double length = (place - tip).norm(); length < least) {
             least = length;

@@ -10,7 +10,9 @@
 #include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/lift_line.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -38,6 +40,9 @@ public:
     /// Where a rapid straight up from a tip begins. What stands higher than the cutter beside a slimmer
     /// shank, or beside the neck of an undercut cutter, is cut on the way up: at feed.
     double up_from(const Vec3& tip, double top);
+    /// Where a rapid straight down ends from `from`, over a lower tip at the same place, because the tool has
+    /// been as low there before. None where that saves no more than the clearance.
+    std::optional<double> fall_to(const Vec3& from, const Vec3& tip);
     /// Where a rapid down that does not end over a tip ends beside it: cells that a wall crosses are as high
     /// as the wall for ever, so that along a wall nothing is known to be gone. None where that is no shorter
     /// than `slow`, the way down at feed.
@@ -60,10 +65,20 @@ public:
 
     /// The tool has cut from one tip to the other.
     void feed(const Vec3& from, const Vec3& to) {
-        if (stock_) stock_->feed(from, to);
+        if (!stock_) return;
+        stock_->feed(from, to);
+        if (up_.frees_column() && from.head<2>() == to.head<2>()) {
+            double& low = been_.try_emplace({to.x(), to.y()}, infinity).first->second;
+            low = std::min({low, from.z(), to.z()});
+        }
     }
 
 private:
+    double been_at(const Vec2& p) const {
+        const auto at = been_.find({p.x(), p.y()});
+        return at == been_.end() ? infinity : at->second;
+    }
+    bool is_off(const Vec3& tip, double stands) const;
     bool is_clear(const Vec3& place, const Vec3& tip);
     std::vector<Vec3> places_beside(const Vec3& tip, double no_farther);
     double clear_height(const Vec2& a, const Vec2& b, double known);
@@ -86,6 +101,8 @@ private:
     /// How far from a tip is asked: half a radius beside it, and there the widest body.
     double reach_;
     std::optional<LaterCuts> stock_;
+    /// The lowest tips between which and others over them the tool was fed straight up or down.
+    std::map<std::array<double, 2>, double> been_;
 };
 
 } // namespace facetmill

@@ -12,6 +12,7 @@
 #include "tests/support/path_checker.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
+#include "tests/unit/link/link_cases.h"
 
 #include <QTest>
 
@@ -23,40 +24,10 @@ using namespace facetmill::test;
 
 namespace {
 
-Pass pass(std::initializer_list<Vec3> tips) {
-    Pass p;
-    for (const Vec3& t : tips) {
-        p.cl.push_back({t, Vec3(0, 0, 1)});
-        p.cc.push_back({t, Vec3(0, 0, 1)});
-    }
-    return p;
-}
-
-std::string kinds_of(const ToolMotions& m) {
-    std::string text;
-    for (const Motion& motion : m.motions)
-        text += "racl^"[int(motion.kind)];
-    return text;
-}
-
 /// Between two passes the tool goes up and moves fast; at the end it does anyway.
 bool travels_fast(const ToolMotions& m) {
     const std::string kinds = kinds_of(m);
     return kinds.find("^r") < kinds.rfind('a');
-}
-
-LinkOptions near_options(double distance) {
-    LinkOptions o;
-    o.clearance = 5;
-    o.link_distance = distance;
-    o.chord_tolerance = 0.002;
-    return o;
-}
-
-const Mesh& level() {
-    static const Mesh mesh =
-        height_field([](double, double) { return 0.0; }, Vec2(-20, -15), Vec2(20, 15), 4, 3);
-    return mesh;
 }
 
 } // namespace
@@ -263,7 +234,7 @@ private slots:
         const double x = 5 - 0.5 * tool.diameter - 0.2;
         StrategyResult path;
         path.passes = {pass({Vec3(-10, 0, 0), Vec3(x, 0, 0), Vec3(x, 0, 8)}),
-                       pass({Vec3(x, 0, 0), Vec3(x, 0.5, 0)})};
+                       pass({Vec3(x, 0.5, 0), Vec3(x, 1, 0)})};
         path.passes[1].from_above = true;
         const ToolMotions all = link_three_axis(path, context, 0, near_options(0.1), Progress());
         QVERIFY2(kinds_of(all) == "rraccrc^rrrac^r", kinds_of(all).c_str());
