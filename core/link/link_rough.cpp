@@ -1,4 +1,5 @@
 #include "core/base/tolerances.h"
+#include "core/link/beside_places.h"
 #include "core/link/link.h"
 #include "core/link/straight_up.h"
 #include "core/strategy/lathe/lathe.h"
@@ -89,7 +90,8 @@ private:
     }
 
     void travel_over(const Vec3& start) {
-        const Vec2 b = start.head<2>();
+        const Vec3 in = over(start);
+        const Vec2 b = in.head<2>();
         if (!started_) {
             rapid(Vec3(b.x(), b.y(), result_.clearance_z));
             started_ = true;
@@ -102,9 +104,35 @@ private:
             cut_fed();
             rapid(Vec3(b.x(), b.y(), at_.z()));
         }
-        const double down = std::max({clear_height(b, b), reach_.tip_z(b, hints_), start.z()})
-                            + up_.near_to_stock(options_.clearance);
-        if (down < at_.z()) rapid(Vec3(b.x(), b.y(), down));
+        if (in.z() < at_.z()) rapid(in);
+    }
+
+    /// Where a rapid down ends, over a place or, much lower, beside it: cells that a wall crosses are as high
+    /// as the wall for ever, so that along a wall nothing is known to be gone.
+    Vec3 over(const Vec3& start) {
+        const Vec2 b = start.head<2>();
+        const double near = up_.near_to_stock(options_.clearance);
+        const auto down = [&](const Vec2& p) {
+            return std::max({clear_height(p, p), reach_.tip_z(p, hints_), start.z()}) + near;
+        };
+        Vec3 best(b.x(), b.y(), down(b));
+        double least = beside_worth * (best.z() - start.z());
+        if (least <= near) return best;
+        for (const Vec2& p : places_around(b, profile_.max_radius())) {
+            const Vec3 place(p.x(), p.y(), down(p));
+            const double length = (place - start).norm();
+            if (!(length < least) || !leads_in(p, start)) continue;
+            least = length;
+            best = place;
+        }
+        return best;
+    }
+
+    /// Whether the tool goes from over a place beside it to a start without cutting anything.
+    bool leads_in(const Vec2& p, const Vec3& start) {
+        const Vec2 b = start.head<2>();
+        return field_.stand_height(cutter_, p, b) <= start.z() + least()
+               && bodies_.clear(field_, p, b, start.z()) && reach_.is_free(p, b, start.z(), hints_);
     }
 
     /// What tips must stay above on a level way, for the whole tool.

@@ -69,6 +69,38 @@ private slots:
         QVERIFY2(std::abs(m.motions[6].to.tip.z() - 1.65) < 1e-9,
                  qPrintable(QString::number(m.motions[6].to.tip.z())));
     }
+
+    /// And down beside a wall: from over a place a little away from it, where nothing stands any more.
+    void roughing_comes_down_beside_a_wall() {
+        Tool tool = flat_tool(6);
+        tool.flute_length = 20;
+        tool.shank_diameter = 6;
+        tool.shank_length = 30;
+        PlanContext context = context_of(step(0, 12), tool);
+        context.stock.box = context.stock_box = context.part_box;
+        StrategyResult path;
+        path.chord_tolerance = 0.01;
+        RoughPath rough;
+        rough.stock_cell = 0.3;
+        path.detail = rough;
+        const auto approach = [&](double width) {
+            path.passes = {pass({Vec3(-25, 3.02, 0.02), Vec3(10, 3.02, 0.02)}),
+                           pass({Vec3(-25, 3.02 + width, 0.02), Vec3(10, 3.02 + width, 0.02)}),
+                           pass({Vec3(-10, -10, 12), Vec3(0, -10, 12)}),
+                           pass({Vec3(-5, 3.02, 0.02), Vec3(0, 3.02, 0.02)})};
+            const ToolMotions all = link_rough(path, context, 0, near_options(0), Progress());
+            std::array<Vec3, 2> way;
+            for (std::size_t i = 1; i < all.motions.size(); ++i)
+                if (all.motions[i].kind == MotionKind::approach)
+                    way = {all.motions[i - 1].to.tip, all.motions[i].to.tip};
+            return way;
+        };
+        const auto [over, start] = approach(3);
+        QCOMPARE(start, Vec3(-5, 3.02, 0.02));
+        QVERIFY2(over.y() > 3.5 && std::abs(over.z() - 1.52) < 1e-9, qPrintable(QString::number(over.z())));
+        // In a slot as wide as the tool it goes down at feed.
+        QVERIFY(approach(0)[0].z() > 12);
+    }
 };
 
 FACETMILL_TEST(TestRapidsAlongWalls)
