@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/strategy/cleanup/body_clearance.h"
 #include "core/strategy/cleanup/cleanup_job.h"
+#include "core/strategy/cleanup/foot_contours.h"
 #include "core/strategy/cleanup/pass_clearing.h"
 #include "core/strategy/cleanup/pass_leads.h"
 #include "core/strategy/cleanup/passes_aside.h"
@@ -69,6 +70,8 @@ private:
         std::vector<StripCut> cuts(found_.size());
         std::vector<BandCut> touched;
         const Progress strips = progress.part(0.05, 0.7), within = progress.part(0, 0);
+        if (std::ranges::any_of(found_, [](const FoundStrip& f) { return f.kind == StripKind::foot; }))
+            foot_contours_.emplace(job_, progress.part(0.05, 0.05));
         std::atomic<std::size_t> points = 0;
         parallel_for(found_.size(), 1, strips, [&](std::size_t i) {
             const FoundStrip& f = found_[i];
@@ -112,6 +115,9 @@ private:
     }
 
     StripCut cut_around_places(const FoundStrip& f, const Progress& progress) const {
+        if (f.kind == StripKind::foot)
+            if (StripCut foot{.passes = foot_contours_->passes(f.left, progress)}; !foot.passes.empty())
+                return foot;
         StrategyResult path = cut_left(
             context_, settings_, settings_.pattern == CleanupSettings::Pattern::oneway, f.left, progress);
         StripCut cut;
@@ -260,6 +266,7 @@ private:
     const PlanContext& context_;
     CleanupJob job_;
     std::vector<FoundStrip> found_;
+    std::optional<FootContours> foot_contours_;
     std::size_t planned_ = 0;       ///< passes, before those that take nothing away were left out
     double blocked_ = 0, held_ = 0; ///< lengths of what is left out: no place; shank or holder would touch
     ToolBody held_by_ = ToolBody::none;

@@ -37,11 +37,12 @@ std::vector<Pass> passes_aside(const CleanupJob& job, const Pass& pass, double f
         for (std::size_t i = 0; i < pass.cl.size(); ++i) {
             const Vec3 side = level_across(pass, i), tip = pass.cl[i].tip + sign * far * side;
             const double z = with.lift->tip_z(tip.x(), tip.y());
-            if (side.isZero(0) || !(z > -infinity) || z > tip.z() + climb_share * far) {
+            if (side.isZero(0) || z > tip.z() + climb_share * far) {
                 end();
                 continue;
             }
-            // No lower than it was: beside a step the floor is another strip's.
+            // No lower than it was: beside a step the floor is another strip's, and through a hole there is
+            // none.
             piece.cl.push_back({Vec3(tip.x(), tip.y(), std::max(z, tip.z())), pass.cl[i].axis});
             piece.cc.push_back(pass.cc[i]);
         }
