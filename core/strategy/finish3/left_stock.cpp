@@ -24,6 +24,12 @@ constexpr double hop_radii = 6;
 /// What stands nearer to the part than this share of the tolerance is cusps of this operation itself.
 constexpr double skin_share = 0.05;
 
+/// Passes shorter than so many radii are not cut from above; nor those that climb by more than this share of
+/// their length, or are held up on less than this share of it, nor more than so often. Two of those lie
+/// closer than flutes are long by this share.
+constexpr double raised_radii = 2, raised_climb = 0.25, mostly_held = 0.25, raised_overlap = 0.05;
+constexpr int max_raised = 24;
+
 /// Follows one pass; cuts what it keeps.
 class PassFollower {
 public:
@@ -177,6 +183,37 @@ double LeftStock::free_height(const Vec3& a, const Vec3& b) const {
     return field_.highest_near(a.head<2>(), b.head<2>(), widest_, floor) - lowest_base_;
 }
 
+std::vector<Pass> LeftStock::raised(const Pass& pass) {
+    if (pass.cl.size() < 2) return {};
+    const std::vector<double> arc = arc_lengths(pass);
+    const double length = arc.back();
+    double low = infinity, high = -infinity;
+    for (const CutterLocation& c : pass.cl) {
+        low = std::min(low, c.tip.z());
+        high = std::max(high, c.tip.z());
+    }
+    // A ball is as wide as its shank only from its middle on.
+    const double step = (1 - raised_overlap) * (lowest_base_ - cutter_.above(cutter_.radius()));
+    const double over = std::ceil((field_.no_higher() - low - lowest_base_) / step);
+    if (length < raised_radii * cutter_.radius() || high - low > raised_climb * length || !(step > 0)
+        || !(over > 0 && over <= max_raised))
+        return {};
+    const double looks = std::ceil(length / cutter_.radius());
+    double held = 0;
+    for (double k = 0; k <= looks; ++k)
+        if (lack(place_on(pass, arc, k / looks * length)) > 0) ++held;
+    if (held < mostly_held * (looks + 1)) return {};
+    std::vector<Pass> all;
+    for (double k = over; k > 0; --k) {
+        Pass& copy = all.emplace_back(pass);
+        for (CutterLocation& c : copy.cl)
+            c.tip.z() += k * step;
+        for (CutterContact& c : copy.cc)
+            c.point.z() += k * step;
+    }
+    return all;
+}
+
 namespace {
 
 /// Follows passes one after the other, where the tool ends in between.
@@ -203,6 +240,17 @@ public:
             for (std::size_t k = 0; k < pieces.size(); ++k)
                 keep(std::move(pieces[k]), follower.link_heights()[k]);
             for (Pass& piece : pieces_of(pass, arc, gaps_between(ranges, arc.back()), contact_))
+                held.push_back(std::move(piece));
+        }
+        return held;
+    }
+
+    /// The same, what is mostly held up from above.
+    std::vector<Pass> follow_from_above(const std::vector<Pass>& passes) {
+        std::vector<Pass> held;
+        for (const Pass& pass : passes) {
+            follow(stock_.raised(pass));
+            for (Pass& piece : follow({pass}))
                 held.push_back(std::move(piece));
         }
         return held;
@@ -249,7 +297,8 @@ ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, dou
     for (int round = 0; round < max_rounds && !passes.empty(); ++round) {
         followed.lack = 0;
         const std::size_t kept_before = followed.kept.size();
-        passes = followed.follow(std::move(passes));
+        passes =
+            round == 0 && instead ? followed.follow_from_above(passes) : followed.follow(std::move(passes));
         if (followed.kept.size() == kept_before) break;
     }
     ClearOfStock result;

@@ -39,6 +39,10 @@ public:
     }
     double spacing() const { return field_.cell(); } ///< how often a motion is looked at, mm
     double hop() const { return hop_; } ///< links that are no longer may go over what is in their way, mm
+    /// The same pass over itself, from above, as often as flutes are long: what stands in the way of the
+    /// shank of the next lower one, where that is as wide as the cutter, is cut by then. None of passes that
+    /// are short, go up and down, or are free for the most part.
+    std::vector<Pass> raised(const Pass& pass);
 
 private:
     struct Body {
@@ -68,10 +72,11 @@ struct ClearOfStock {
     double lack = 0;        ///< mm: flutes longer by this would reach all of it
 };
 
-/// Follows the passes in their order. Pieces shorter than `shortest` are left out. What is held up in the end
-/// is asked for others, and so are these, once more, and tried again when they have cut. Where shank or
-/// holder would touch something on the way from one pass to the next, its entry says how high a link has to
-/// be, or it is come to from above.
+/// Follows the passes in their order. Pieces shorter than `shortest` are left out. Where others may be cut
+/// for them, passes that are mostly held up are cut from above first, once every length of flutes; what is
+/// held up in the end is asked for others, and so are these, once more, and tried again when they have cut.
+/// Where shank or holder would touch something on the way from one pass to the next, its entry says how high
+/// a link has to be, or it is come to from above.
 ClearOfStock keep_clear_of_stock(std::vector<Pass> passes, LeftStock& stock, double shortest,
                                  const ContactAt& contact, const Progress& progress,
                                  const PassesInstead& instead = nullptr);
