@@ -25,12 +25,11 @@ const UncutReason* main_reason(const Verification& v) {
 
 /// Which operations of a setup are there already, of those that could be advised.
 struct Present {
-    Present(const Project& of, const Verification& v) : project(of) {
+    Present(const Project& of, const Verification& v) : project(of), verification(v) {
         for (const Operation* o : operations_on(of)) {
             rough = rough || o->purpose() == Purpose::roughing;
             clean = clean || o->purpose() == Purpose::cleaning;
         }
-        if (v.surface) narrowest = narrowest_judged(*v.surface, v.used);
     }
 
     /// The tool of the operation of this name where no clean-up has it yet; nullptr: one has.
@@ -56,15 +55,16 @@ struct Present {
         if (!last) return nullptr;
         const NewOperation next = new_operation("cleanup", project, {{}, last->number});
         const Tool& tool = next.tool ? *next.tool : project.tool_of(*next.operation);
-        too_fine = 0.5 * tool.diameter < narrowest;
+        too_fine = verification.surface
+                   && !can_be_judged(0.5 * tool.diameter, *verification.surface, verification.used);
         return !next.tool || usual_diameter(next.tool->diameter, project.unit) <= next.tool->diameter
                    ? last
                    : nullptr;
     }
 
     const Project& project;
+    const Verification& verification;
     bool rough = false, clean = false;
-    double narrowest = 0; ///< radius of a cutter that can be judged, mm
 };
 
 /// What finishes cut by their limits of slope, and whose limits these are; null: one of them cuts all that

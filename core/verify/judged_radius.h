@@ -5,9 +5,9 @@
 
 namespace facetmill {
 
-/// The radius (mm) of the narrowest cutter that is judged on a part with these settings, both as another
-/// verification of it left them, about: of a narrower one, places that are near enough to each other would
-/// be more than are looked at.
-double narrowest_judged(const DeviationSurface& part, const VerifySettings& used);
+/// Whether a cutter of this radius (mm) can be judged on a part with these settings, both as another
+/// verification of it left them, about: else places that are near enough to each other would be more than are
+/// looked at.
+bool can_be_judged(double radius, const DeviationSurface& part, const VerifySettings& used);
 
 } // namespace facetmill

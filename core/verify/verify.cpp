@@ -463,17 +463,21 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     return v;
 }
 
-double narrowest_judged(const DeviationSurface& part, const VerifySettings& used) {
-    double area = 0;
-    const auto corner = [&](std::uint32_t i) {
-        return Vec3(part.points[i][0], part.points[i][1], part.points[i][2]);
-    };
+bool can_be_judged(double radius, const DeviationSurface& part, const VerifySettings& used) {
+    const auto vec = [](const std::array<float, 3>& p) { return Vec3(p[0], p[1], p[2]); };
+    const double spacing = coarsest_look * radius;
+    double places = 0;
     for (const auto& t : part.triangles) {
-        const Vec3 a = corner(t[0]);
-        area += 0.5 * (corner(t[1]) - a).cross(corner(t[2]) - a).norm();
+        double length = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            length = std::max(length, (vec(part.points[t[k]]) - vec(part.points[t[(k + 1) % 3]])).norm());
+        // As sample_surface divides it: a facet of curved surface more finely, and with places of its own.
+        const bool curved =
+            part.normals[t[0]] != part.normals[t[1]] || part.normals[t[0]] != part.normals[t[2]];
+        const double parts = std::max(1.0, std::ceil(length / (curved ? 0.5 * spacing : spacing)));
+        places += curved && parts > 1 ? 0.5 * (parts + 1) * (parts + 2) : 0.5 * parts * parts;
     }
-    // A place for each half of a square of the spacing, as in estimates of the work.
-    return std::sqrt(2 * area / double(times_to_judge * used.max_samples)) / coarsest_look;
+    return places <= double(times_to_judge * used.max_samples);
 }
 
 } // namespace facetmill
