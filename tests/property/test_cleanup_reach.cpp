@@ -292,10 +292,16 @@ private slots:
         QVERIFY2(touches > 20, qPrintable(QString::number(touches)));
     }
 
-    /// A ball went along a wall that is higher than the flutes and left a skin of half the tolerance on it.
-    /// The shank of a smaller one, as thick as its cutter, would rub there: it cleans the wall's foot a
-    /// little away from it, and its shank meets nothing.
+    /// A ball went along a wall that is higher than the flutes and left a skin on it. The shank of a smaller
+    /// one, as thick as its cutter, would rub there: it cleans the wall's foot a little away from a skin of
+    /// half the tolerance, cuts a thick one from above first, and its shank meets nothing.
+    void beside_a_skin_on_a_wall_its_foot_is_cut_data() {
+        QTest::addColumn<double>("skin");
+        QTest::newRow("thin") << 0.5 * reach_tau;
+        QTest::newRow("thick") << 10 * reach_tau;
+    }
     void beside_a_skin_on_a_wall_its_foot_is_cut() {
+        QFETCH(const double, skin);
         const Mesh part = tall_wall(0);
         Tool tool = short_tool();
         tool.holder.clear();
@@ -322,7 +328,7 @@ private slots:
             programs.push_back({"Before", VerifyTool(by), motions, {}});
         };
         went(flat_tool(8), {-34, -26, -18, -10.1});
-        went(ball_tool(12), {-6 - 0.5 * reach_tau});
+        went(ball_tool(12), {-6 - skin});
         CleanupSettings s;
         s.tool = 2;
         s.tolerance = reach_tau;
