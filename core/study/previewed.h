@@ -10,8 +10,8 @@ struct PreviewedOperation {
     /// Machining: passes and links at feed, the rest in rapids; within a factor of 2.5.
     double seconds = 0;
     /// What, of the part seen along the tool axis, its passes leave by more than the tolerance and what a
-    /// cell of the grid cannot tell, at least what lies beyond its limits of slope; 0 for operations that turn
-    /// the part.
+    /// cell of the grid cannot tell, at least what lies beyond its limits of slope; 0 for operations that
+    /// turn the part.
     double uncut_share = 0;
     double planning_seconds = 0; ///< of a processor, about: planning it and judging the plan coarsely
 };
