@@ -19,7 +19,7 @@ constexpr double field_cell_share = 0.1;
 constexpr double level_share = 0.02;
 /// A tip that is off part and stock by so much of what a rapid keeps from them is out of the cut, as at the
 /// end of a lead: in or out at feed it goes no more than the second share.
-constexpr double off_share = 0.5, touch_share = 0.1;
+constexpr double out_of_cut_share = 0.5, touch_share = 0.1;
 /// What a rapid takes, in what the same length takes at feed: an order of magnitude is enough to choose by.
 constexpr double rapid_share = 0.1;
 
@@ -77,7 +77,7 @@ std::optional<double> UprightTravel::fall_to(const Vec3& from, const Vec3& tip) 
 
 /// Whether a tip is out of the cut: so high over the part, and over what stands as high as that.
 bool UprightTravel::is_off(const Vec3& tip, double stands) const {
-    const double most = tip.z() - off_share * clearance_;
+    const double most = tip.z() - out_of_cut_share * clearance_;
     return stands <= most && lift_.tip_z(tip.x(), tip.y()) <= most;
 }
 

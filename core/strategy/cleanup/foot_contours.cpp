@@ -20,15 +20,15 @@ const double shallowest_wall = radians(60);
 constexpr double grid_share = 0.2;
 /// A contour counts where it touches no farther than this, in radii, from the strip; it goes on over gaps of
 /// so many, which takes less time than going out, over and in again.
-constexpr double beside_share = 0.75, bridged_radii = 4;
+constexpr double beside_share = 0.75, contour_bridged_radii = 4;
 /// Samples that stand for the strip are so far apart, in radii.
-constexpr double sample_share = 0.5;
+constexpr double contour_sample_share = 0.5;
 
 PointGrid samples_of(const Mesh& strip, double radius, const Progress& progress) {
     PointGrid samples(beside_share * radius);
     for (std::size_t f = 0; f < strip.facet_count(); ++f) {
         progress.check();
-        const FacetRows rows(strip, f, sample_share * radius);
+        const FacetRows rows(strip, f, contour_sample_share * radius);
         for (std::size_t r = 0; r < rows.rows(); ++r)
             for (std::size_t c = 0; c < rows.columns(r); ++c)
                 samples.add(rows.point(r, c));
@@ -89,7 +89,7 @@ std::vector<Pass> FootContours::beside(const Pass& pass, const PointGrid& sample
         for (double k = 1; k <= n; ++k)
             look(a + k / n * (b - a), arc[i - 1] + k / n * (arc[i] - arc[i - 1]));
     }
-    ranges = joined(std::move(ranges), bridged_radii * job_.radius);
+    ranges = joined(std::move(ranges), contour_bridged_radii * job_.radius);
     for (Interval& r : ranges)
         r = {std::max(r.lo, 0.0), std::min(r.hi, arc.back())};
     return pieces_of(pass, arc, ranges, [&](const Vec3& tip) { return maker_.contact(tip, Vec2::Zero()); });
