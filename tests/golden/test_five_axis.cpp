@@ -349,7 +349,7 @@ private slots:
         s.write("own.json", own_machine(76));
         const CliRun run = run_cli({"plan", "job.facetmill", "-o", "out", "--op", "Five"}, s.path());
         QVERIFY2(run.status == 1 && run.code() == "limit_exceeded", run.err);
-        QVERIFY2(run.err.contains("own.json") && run.err.contains("Z ends"), run.err);
+        QVERIFY2(run.err.contains("Own cannot make") && run.err.contains("Z ends"), run.err);
         QVERIFY(s.files("out").isEmpty());
     }
 };

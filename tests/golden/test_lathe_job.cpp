@@ -159,7 +159,8 @@ private slots:
             {"plan", "three.facetmill", "--op", "Finish", "--set", "Finish.tolerance=0.5", "-o", "three"},
             sandbox_.path());
         QVERIFY2(run.status == 1 && run.code() == "limit_exceeded", run.err);
-        QVERIFY2(run.err.contains("generic-3-axis") && run.err.contains("operation 'Finish'"), run.err);
+        QVERIFY2(run.err.contains("Generic mill (3-axis)") && run.err.contains("operation 'Finish'"),
+                 run.err);
         QVERIFY(sandbox_.files("three").isEmpty());
     }
 

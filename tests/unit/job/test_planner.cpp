@@ -730,7 +730,7 @@ private slots:
         } catch (const Error& e) {
             QCOMPARE(e.code(), ErrorCode::limit_exceeded);
             QCOMPARE(e.where(), std::string("operation 'First'"));
-            for (const char* said : {"X ends 2", "too early", "with the tip at (", "'own.json'"})
+            for (const char* said : {"X ends 2", "too early", "with the tip at (", "Own cannot make"})
                 QVERIFY2(e.message().find(said) != std::string::npos, e.what());
         }
         QVERIFY(!fs::exists(w.folder / "out"));
