@@ -110,13 +110,13 @@ std::optional<VerdictAdvice> beyond_slopes(const Verification& v, const UncutRea
         if (finished.steepest && band.to > finished.cut.hi) steep += uncut;
         if (finished.shallowest && band.from < finished.cut.lo) level += uncut;
     }
-    if (steep > 0.5 * all)
+    if (finished.steepest && steep > 0.5 * all)
         return VerdictAdvice{
             tr("What to do: add %1, which goes round what is steeper than %2 cuts.")
                 .arg(text(first_name_of("waterline")), text(finished.steepest->common().name)),
             "waterline",
             {finished.steepest->common().tool, {}, finished.cut.hi - slopes_shared}};
-    if (level > 0.5 * all)
+    if (finished.shallowest && level > 0.5 * all)
         return VerdictAdvice{
             tr("What to do: add %1, which cuts what is more level than %2 does.")
                 .arg(text(first_name_of("scallop")), text(finished.shallowest->common().name)),
