@@ -57,8 +57,8 @@ target_link_options(facetmill_options INTERFACE
 # Rooms of core, each below the ones before it: a room includes only rooms to its left. Strategy has a room for each of
 # its wings.
 set(FACETMILL_ROOMS base mesh repair cutter setup tools gouge cspace
-    strategy/plan strategy/surface strategy/finish3 strategy/waterline strategy/scallop strategy/steep_shallow strategy/rough strategy/five_axis strategy/global_local
-    strategy/cleanup strategy/curves strategy/lathe strategy/preview
+    strategy/plan strategy/surface strategy/five_axis strategy/tilt strategy/finish3 strategy/waterline strategy/scallop strategy/steep_shallow strategy/rough
+    strategy/global_local strategy/cleanup strategy/curves strategy/lathe strategy/preview
     link verify output job study)
 
 # The rooms that FACETMILL_CHECKED compiles under sanitizers every time: what reads what strangers send, and what reckons with

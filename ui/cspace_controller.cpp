@@ -306,7 +306,7 @@ std::optional<ManualPosture> CSpaceController::kept() const {
 
 void CSpaceController::keep() {
     if (!tried_ || !shown_ || !studies_->study()) return;
-    if (!can_be_kept(*tried_)) return;
+    if (!record_->has_strips || !can_be_kept(*tried_)) return;
     const Vec3& place = shown_->place.surface;
     const ManualPosture posture{{place.x(), place.y(), place.z()}, tried_->lead, tried_->yaw};
     kept_.keep(*at_, posture);
@@ -321,12 +321,15 @@ void CSpaceController::remove_kept() {
 
 void CSpaceController::show_kept() {
     const bool tried = tried_ && shown_ && studies_->study();
-    const bool free = tried && can_be_kept(*tried_);
+    const bool chosen_here = !record_ || record_->has_strips; // else by inclining what was planned upright
+    const bool free = tried && chosen_here && can_be_kept(*tried_);
     panel_->keep()->setEnabled(free);
     panel_->keep()->setToolTip(
-        !tried  ? tr("Try a posture first: click in the configuration space, or drag a marker")
-        : !free ? tr("The tried posture is not free: it would not be used")
-                : tr("Keep the tried posture for this point; planning again uses it"));
+        !chosen_here ? tr("The tool leans as little as it has to here: postures are kept for operations that "
+                          "choose them")
+        : !tried     ? tr("Try a posture first: click in the configuration space, or drag a marker")
+        : !free      ? tr("The tried posture is not free: it would not be used")
+                     : tr("Keep the tried posture for this point; planning again uses it"));
     panel_->remove()->setEnabled(kept().has_value());
     std::vector<CSpacePanel::Kept> all;
     for (const ManualPosture& m : kept_.all()) {

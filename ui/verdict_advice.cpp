@@ -4,6 +4,7 @@
 #include "core/job/project_setup.h"
 #include "core/job/usual_tools.h"
 #include "core/strategy/surface/slope_facets.h"
+#include "core/strategy/tilt/axis_tilt.h"
 #include "core/verify/judged_radius.h"
 #include "core/verify/verify.h"
 #include "ui/operation_list.h"
@@ -60,6 +61,17 @@ struct Present {
         return !next.tool || usual_diameter(next.tool->diameter, project.unit) <= next.tool->diameter
                    ? last
                    : nullptr;
+    }
+
+    /// The operation of this name where its tool could lean, and may not; nullptr: it cannot, or may.
+    const Operation* could_lean(const std::string& operation) const {
+        for (const Operation* o : operations_on(project)) {
+            if (o->common().name != operation || !o->has("tilt_limit")) continue;
+            const Tool* tool = find_tool(project.tools, o->common().tool);
+            if (!tool || ball_radius(CutterProfile(tool->cutter())) == 0 || !o->three_axis()) return nullptr;
+            return project_machine(project).rotary.size() == 2 ? o : nullptr;
+        }
+        return nullptr;
     }
 
     const Project& project;
@@ -187,6 +199,12 @@ VerdictAdvice advice_on(const UncutReason& r, const Present& there) {
         return {tr("What to do: add Rough before the finish, which takes the stock away that is in the way."),
                 "rough"};
     case Why::held:
+        if (const Operation* leans = there.could_lean(r.program))
+            return {
+                tr("What to do: a tilt limit in %1, by which the tool leans there; or a longer shank, or a "
+                   "slimmer holder.")
+                    .arg(text(leans->common().name)),
+                {}};
         return {tr("What to do: a longer shank, a slimmer holder, or the part laid another way."), {}};
     case Why::below_bottom:
         return {tr("What to do: a stock that reaches lower, or Below the bottom where nothing holds it "

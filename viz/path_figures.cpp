@@ -75,7 +75,7 @@ PathFiguresPtr path_figures(const std::shared_ptr<const OperationResult>& operat
 
 std::vector<double> motion_cusps(const OperationResult& operation, const Progress& progress) {
     const auto record = operation.path.five_axis();
-    if (!record) return {};
+    if (!record || !record->has_strips) return {};
     const FiveAxisStudy study(record, progress.part(0, 0.4));
     const auto& points = record->points;
     std::vector<double> at_points(points.size(), no_figure);

@@ -147,7 +147,8 @@ std::string_view path_quantity_label(PathQuantity quantity) {
 std::string path_quantity_missing(PathQuantity quantity, const OperationResult& operation) {
     if (quantity == PathQuantity::tilt && !operation.program.multi_axis)
         return "With three axes the tool stands upright everywhere.";
-    if (quantity == PathQuantity::cusp && !operation.path.five_axis())
+    const auto record = operation.path.five_axis();
+    if (quantity == PathQuantity::cusp && !(record && record->has_strips))
         return "Cusps are known point by point for 5-axis operations only; the report has the largest one.";
     return {};
 }

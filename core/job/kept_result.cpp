@@ -147,11 +147,11 @@ void code_fields(Coder& coder, T& v) {
 template <class Coder, CodedAs<Finish5Settings> T>
 void code_fields(Coder& coder, T& v) {
     using Common = std::conditional_t<Coder::reads, OperationCommon, const OperationCommon>;
-    static_assert(sizeof(Finish5Settings) == sizeof(OperationCommon) + 240);
+    static_assert(sizeof(Finish5Settings) == sizeof(OperationCommon) + 248);
     coder(static_cast<Common&>(v), v.posture, v.grid_step, v.lead_limits, v.yaw_limits, v.stepover, v.pattern,
           v.sides, v.passes, v.reach_lead, v.chord_tolerance, v.normal_limit, v.turn_limit,
           v.holder_clearance, v.accelerations, v.manual_postures, v.motion_share, v.room_chords, v.own_reach,
-          v.strip_look_share);
+          v.strip_look_share, v.max_tilt);
 }
 template <class Coder, CodedAs<ContactFrame> T>
 void code_fields(Coder& coder, T& v) {
@@ -196,7 +196,7 @@ void code_fields(Coder& coder, T& v) {
 }
 template <class Coder, CodedAs<FiveAxisRecord> T>
 void code_fields(Coder& coder, T& v) {
-    auto& [context, settings, pieces, points, lines, kept_off] = v;
+    auto& [context, settings, pieces, points, lines, has_strips, kept_off] = v;
     if constexpr (Coder::reads) {
         coder(kept_off);
     } else {
@@ -206,7 +206,7 @@ void code_fields(Coder& coder, T& v) {
                             "plan it again");
         coder(context.contact ? context.contact->mesh_ptr() : kept_off);
     }
-    coder(context, settings, pieces, points, lines);
+    coder(context, settings, pieces, points, lines, has_strips);
 }
 
 template <class Coder, CodedAs<CleanupRecord::Touch> T>

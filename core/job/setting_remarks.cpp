@@ -2,6 +2,7 @@
 
 #include "core/setup/kinematics.h"
 #include "core/strategy/plan/plan_text.h"
+#include "core/strategy/tilt/axis_tilt.h"
 
 namespace facetmill {
 
@@ -16,6 +17,7 @@ public:
         if (const Tool* tool = find_tool(project_.tools, operation_.common().tool)) {
             lengths(*tool);
             further_tools(*tool);
+            tilting(*tool);
         }
         machine();
         return std::move(remarks_);
@@ -42,6 +44,14 @@ private:
             add("depth_of_cut", "Longer than the tool's flutes, which are " + text_(tool.flute_length));
         if (operation_.common().tolerance > 0.5 * tool.diameter)
             add("tolerance", "More than the tool's radius, which is " + text_(0.5 * tool.diameter));
+    }
+
+    void tilting(const Tool& tool) {
+        if (operation_.purpose() == Purpose::cleaning || !(number("tilt_limit") > 0)) return;
+        if (ball_radius(CutterProfile(tool.cutter())) == 0)
+            add("tilt_limit", "The tool has no ball end, and only a ball cuts the same however it leans");
+        else if (number("depth") > 0)
+            add("tilt_limit", "A tool that cuts into the part is not inclined: the depth is above 0");
     }
 
     void further_tools(const Tool& tool) {

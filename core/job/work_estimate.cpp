@@ -163,7 +163,7 @@ std::vector<WorkEstimate> estimate_plan(const Project& project, const PreparedPa
         } else if (!operation->has("stepover")) { // clean-up: passes beside valleys
             e.points = cleanup_share * mesh_area(*part.mesh) / (step * along);
             e.seconds = e.points * seconds_cleaning_up;
-        } else if (operation->three_axis()) {
+        } else if (operation->three_axis() || operation->has("tilt_limit")) {
             const Vec3 size = part.box.size();
             e.points = size.x() * size.y() / (step * along);
             e.seconds = e.points * seconds_upright;

@@ -161,7 +161,8 @@ PreviewedOperation previewed_operation(PassPreviewer& previewer, const Project& 
         made.planning_seconds = std::max(made.planning_seconds, work.seconds);
     if (operation.turning()) return made;
     const auto ground = previewer.ground(part, progress.part(0.6, 0.7));
-    if (!operation.keeps_axis()) {
+    // A ball that may be inclined cuts what it cuts upright.
+    if (!operation.keeps_axis() && !operation.has("tilt_limit")) {
         made.uncut_share = uncut_beside(preview, *ground);
         return made;
     }

@@ -127,15 +127,16 @@ ParameterValue value_of(Random& rng, const ParameterInfo& info, const ParameterV
 
 /// Parameters that came after seeds had been kept for what they had found: each would make another job of
 /// every seed. (What boundaries and tool axes do is tried by tests of their own.)
-bool came_later(const ParameterInfo& info) {
+bool came_later(const Parameterized& settings, const ParameterInfo& info) {
     const std::string_view later[] = {"boundary",  "contain", "avoid", "avoid_distance",
                                       "tool_axis", "off",     "passes"};
+    if (info.key == "tilt_limit") return !settings.has("previous_tool"); // clean-up had it before the others
     return std::find(std::begin(later), std::end(later), info.key) != std::end(later);
 }
 
 void vary(Random& rng, Parameterized& settings, double share) {
     for (const ParameterInfo* info : settings.parameters()) {
-        if (came_later(*info) || !chance(rng, share)) continue;
+        if (came_later(settings, *info) || !chance(rng, share)) continue;
         try {
             settings.set(info->key, value_of(rng, *info, settings.get(info->key)));
         } catch (const Error&) {

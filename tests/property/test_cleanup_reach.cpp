@@ -7,10 +7,10 @@
 #include "core/job/verification.h"
 #include "core/link/link.h"
 #include "core/mesh/mesh_io.h"
-#include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/finish3/finish3.h"
 #include "core/strategy/plan/stock_bottom.h"
+#include "core/strategy/tilt/axis_tilt.h"
 #include "core/verify/verify.h"
 #include "tests/property/shapes.h"
 #include "tests/support/error_code.h"
@@ -180,6 +180,7 @@ private slots:
         const Mesh mesh = tall_wall(radians(10));
         Tool before = ball_tool(12);
         PlanContext context = context_of(mesh, short_tool());
+        context.machine = find_machine("tarus-tpi-2000");
         context.further_tools = {before};
         CleanupSettings s;
         s.tool = 2;

@@ -26,15 +26,6 @@ ToolLift whole_tool(const CleanupJob& job) {
     return {job.context.contact, tool, {job.allowance, 0, 0}};
 }
 
-/// Between places so far apart no body of a tool that moves past a corner comes nearer to it by more than
-/// `chord`.
-double body_step(const Tool& tool, double chord) {
-    double thinnest = tool.shank_length > 0 ? tool.shank_diameter : infinity;
-    for (const HolderSection& s : tool.holder)
-        thinnest = std::min(thinnest, s.diameter);
-    return std::sqrt(4 * thinnest * chord);
-}
-
 /// A pass without the motions on which shank or holder would touch.
 class FreeRuns {
 public:
@@ -110,10 +101,15 @@ ClearedPasses with_clear_body(const CleanupJob& job, const std::vector<Pass>& pa
     const ToolLift whole = whole_tool(job);
     const double tilt_limit = job.settings.tilt_limit;
     const double step = body_step(job.context.tool, job.chord);
+    const PlanContext& context = job.context;
+    const Kinematics machine(context.machine, gauge_length(context.tool),
+                             default_part_origin(context.machine, context.part_box));
+    TiltInput tilt{&whole, tilt_limit, job.chord, raise_share * job.cusp};
+    tilt.look_step = step;
+    tilt.machine = &machine;
     std::vector<TiltedPass> kept(passes.size());
     parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
-        kept[i] = tilt_limit > 0 ? tilted_where_held({&whole, tilt_limit, job.chord, raise_share * job.cusp},
-                                                     passes[i], progress)
+        kept[i] = tilt_limit > 0 ? tilted_where_held(tilt, passes[i], progress)
                                  : FreeRuns(whole, job.chord, step).run(passes[i], progress);
     });
     ClearedPasses result;

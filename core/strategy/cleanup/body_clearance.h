@@ -2,8 +2,8 @@
 // Millimetres, part coordinates.
 #pragma once
 
-#include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/cleanup_job.h"
+#include "core/strategy/tilt/axis_tilt.h"
 
 namespace facetmill {
 

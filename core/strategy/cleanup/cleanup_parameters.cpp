@@ -1,4 +1,5 @@
 #include "core/strategy/cleanup/cleanup.h"
+#include "core/strategy/plan/shared_parameters.h"
 
 #include <algorithm>
 
@@ -71,16 +72,7 @@ const ParameterTable<CleanupSettings>& cleanup_parameters() {
                .help = "Strips also where more than the tolerance stands after the operations before: their "
                        "programs are verified first.",
                .kind = K::boolean});
-        t.add(&S::tilt_limit,
-              {.key = "tilt_limit",
-               .label = "Tilt limit",
-               .help =
-                   "Largest inclination of the tool axis, used where shank or holder would touch the part. "
-                   "0 keeps the tool upright; above 0 the program is one of five axes.",
-               .kind = K::number,
-               .quantity = Quantity::angle,
-               .minimum = 0,
-               .maximum = radians(75)});
+        t.add(&S::tilt_limit, tilt_limit_parameter());
         t.add(&S::switched_off, {.key = switched_off_key,
                                  .label = "Switched off",
                                  .help = "Names of strips that are found but not cut, separated by commas.",

@@ -236,6 +236,9 @@ const ParameterTable<AlongCurveSettings>& along_curve_parameters() {
 
 StrategyResult AlongCurve::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
+    if (settings_.tilt_limit > 0 && settings_.depth > 0)
+        throw Error(ErrorCode::out_of_range, "tilt_limit", "a tool that cuts into the part is not inclined",
+                    "set the tilt limit or the depth to 0");
     const CurveJob job(settings_, context, progress.part(0, 0.05));
     return AlongPlanner(settings_, job).run(progress.part(0.05, 1));
 }

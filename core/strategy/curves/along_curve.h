@@ -33,13 +33,14 @@ public:
 
     std::string_view kind() const override { return "along_curve"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<AlongCurve>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     std::vector<std::string> curve_keys() const override { return {"curve"}; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 
-    /// Throws Error(out_of_range) where all of the curve lies off the part, Error(empty_result) where nothing
-    /// runs so far beside it, and what finish3 does of part, tool and tolerance.
+    /// Throws Error(out_of_range) where all of the curve lies off the part, also for a tilt limit with a
+    /// depth, Error(empty_result) where nothing runs so far beside it, and what finish3 does of part, tool
+    /// and tolerance.
     StrategyResult plan(const PlanContext& context, const Progress& progress) const override;
 };
 

@@ -50,6 +50,7 @@ CurveJob::CurveJob(const CurveCommon& asked, const PlanContext& given, const Pro
       level_step_(level_step_of(cover, gap_cusp())) {
     fine.below = fine.above = 0.5 * chord;
     fine.spacing = safe_spacing(profile, fine.below);
+    check_tilt(context, settings.tilt_limit);
     if (domain.empty())
         throw Error(ErrorCode::empty_result, settings.name,
                     std::string("no facet of the part can be cut ") + context.seen_from() + ": all "
@@ -149,7 +150,7 @@ UncutInput CurveJob::uncut_input(const Mesh& surface) const {
 CurveFinish::CurveFinish(const CurveJob& job)
     : job_(job), filter_(job.settings, job.context, job.profile,
                          {job.cusp_allowed, job.allowance, job.chord, job.settings.holder_clearance,
-                          job.settings.rest_only},
+                          job.settings.tilt_limit, job.settings.rest_only},
                          [&job](const Vec3& tip) { return job.contact(tip); }) {}
 
 void CurveFinish::check_uncut(const StrategyResult& result, const Mesh& covered, const Progress& progress) {
@@ -179,6 +180,10 @@ void CurveFinish::run(StrategyResult& result, const Options& options, const Prog
         as_finishing,        context, uncut_, filter_.held(), filter_.beside_stock(), job_.cusp_allowed,
         options.unsatisfied, lines};
     add_finish_warnings(warnings, result);
+    if (job_.settings.tilt_limit > 0)
+        tilt_passes(result, job_.settings, context,
+                    {job_.settings.tilt_limit, job_.allowance, job_.settings.holder_clearance, job_.chord},
+                    progress.part(0.95, 1, "Choosing axes"));
     progress.set(1);
 }
 

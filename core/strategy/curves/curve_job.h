@@ -26,6 +26,7 @@ struct CurveCommon : OperationCommon {
     Pattern pattern = Pattern::zigzag;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double holder_clearance = 0;             ///< mm, kept between shank or holder and the part
+    double tilt_limit = 0; ///< largest inclination of the axis where shank or holder would touch, radians
     bool rest_only = false;
 };
 
@@ -39,6 +40,7 @@ void add_curve_parameters(ParameterTable<S>& table) {
               chord_tolerance_parameter("How far straight moves may run beside the exact path, to either "
                                         "side"));
     table.add(member(&S::holder_clearance), holder_clearance_parameter());
+    table.add(member(&S::tilt_limit), tilt_limit_parameter());
     table.add(member(&S::rest_only), rest_only_parameter());
 }
 /// Between neighbouring passes.

@@ -28,7 +28,7 @@ public:
 
     std::string_view kind() const override { return "morph"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Morph>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     std::vector<std::string> curve_keys() const override { return {"first_curve", "second_curve"}; }
     double holder_clearance() const override { return settings_.holder_clearance; }

@@ -27,7 +27,7 @@ public:
     std::string_view kind() const override { return "pencil"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Pencil>(settings_); }
     Purpose purpose() const override { return Purpose::cleaning; }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

@@ -35,7 +35,7 @@ public:
 
     std::string_view kind() const override { return "radial"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Radial>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 
@@ -51,7 +51,7 @@ public:
 
     std::string_view kind() const override { return "spiral"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Spiral>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

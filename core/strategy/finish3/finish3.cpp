@@ -119,7 +119,8 @@ Planner::Planner(const Finish3Settings& settings, const PlanContext& context, co
       near_(context.contact, profile_, allowance_ + cusp_allowed_),
       walls_(*context.part, profile_.max_radius() + allowance_ + cusp_allowed_, progress.part(0, 0)),
       filter_(settings, context, profile_,
-              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
+              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.tilt_limit,
+               settings.rest_only},
               contact_at()) {
     // What the tip path may lack of the lift and exceed it, together, is the chord tolerance: half of each
     // for the points looked at, half for leaving points out.
@@ -479,6 +480,7 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
+        t.add(&S::tilt_limit, tilt_limit_parameter());
         t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
@@ -487,7 +489,9 @@ const ParameterTable<Finish3Settings>& finish3_parameters() {
 
 StrategyResult Finish3::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return planned_best(settings_, context, true, progress).path;
+    return with_tilt(settings_, context, progress, [&](const Progress& upright) {
+        return planned_best(settings_, context, true, upright).path;
+    });
 }
 
 PlannedPasses finish3_passes(const Finish3Settings& settings, const PlanContext& context,

@@ -56,6 +56,7 @@ struct Finish3Settings : OperationCommon {
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     double holder_clearance = 0; ///< mm, kept between shank or holder and the part
+    double tilt_limit = 0; ///< largest inclination of the axis where shank or holder would touch, radians
     bool rest_only = false;
     /// How finely cusps are looked at. No parameters: step-overs rest on it, and tests halve and double it.
     CuspLook look;
@@ -69,7 +70,7 @@ public:
 
     std::string_view kind() const override { return "finish3"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Finish3>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

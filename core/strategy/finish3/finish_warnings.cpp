@@ -27,7 +27,7 @@ std::string held_warning(const FinishWarnings& w) {
                   ? " and " + share_text(u.area, w.uncut.area) + " of the surface stays uncut by up to "
                         + text(u.height) + ", most at " + text(u.at)
                   : "")
-           + ": " + longer + " would reach it, or a tool that tilts (finish5)";
+           + ": " + longer + " would reach it" + held_alternative(w.held);
 }
 
 } // namespace
@@ -56,7 +56,8 @@ std::string below_warning(double below, double area) {
 std::string held_up_warning(const HeldOut& held, const PlanText& text) {
     return "the tool is short: shank or holder would come into the part, so "
            + share_text(held.left_length, held.length) + " of the passes are left out: a tool that is "
-           + text(std::max(held.lack.shank, held.lack.holder)) + " longer would reach it";
+           + text(std::max(held.lack.shank, held.lack.holder)) + " longer would reach it"
+           + held_alternative(held);
 }
 
 void add_kept_from_warnings(const UncutReport& uncut, double area, const PassFilter& filter,

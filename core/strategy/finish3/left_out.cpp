@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/tolerances.h"
 #include "core/strategy/plan/plan_text.h"
 
 #include <algorithm>
@@ -87,8 +88,12 @@ std::vector<Interval> gaps_between(std::span<const Interval> ranges, double leng
     return gaps;
 }
 
-HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
-                       const ContactAt& contact, const Progress& progress) {
+namespace {
+
+/// What of each pass is kept; `ranges` tells it of one.
+template <class Ranges>
+HeldOut leave_out_beside(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
+                         const ContactAt& contact, const Progress& progress, const Ranges& ranges) {
     std::vector<HeldOut> parts(passes.size());
     parallel_for(passes.size(), 1, progress, [&](std::size_t i) {
         const Pass& pass = passes[i];
@@ -96,9 +101,7 @@ HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodie
         if (pass.cl.empty()) return;
         const std::vector<double> arc = arc_lengths(pass);
         part.length = arc.back();
-        HolderReach::Hints hints;
-        const auto is_free = [&](const Vec3& tip) { return bodies.is_free(tip, hints); };
-        std::vector<Interval> kept = free_ranges(pass, arc, bodies.spacing(), is_free, progress);
+        std::vector<Interval> kept = ranges(pass, arc);
         if (kept.size() == 1 && kept[0].lo <= 0 && kept[0].hi >= arc.back()) {
             part.kept.push_back(pass);
             return;
@@ -129,6 +132,30 @@ HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodie
     return all;
 }
 
+} // namespace
+
+HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
+                       const ContactAt& contact, const Progress& progress) {
+    const auto ranges = [&](const Pass& pass, std::span<const double> arc) {
+        HolderReach::Hints hints;
+        const auto is_free = [&](const Vec3& tip) { return bodies.is_free(tip, hints); };
+        return free_ranges(pass, arc, bodies.spacing(), is_free, progress);
+    };
+    return leave_out_beside(passes, bodies, shortest, contact, progress, ranges);
+}
+
+HeldOut leave_out_untilted(const std::vector<Pass>& passes, const PassTilter& tilter,
+                           const HolderReach& bodies, double shortest, const ContactAt& contact,
+                           const Progress& progress) {
+    const auto ranges = [&](const Pass& pass, std::span<const double> arc) {
+        std::vector<Interval> kept = tilter.run(pass, progress.part(0, 0)).kept;
+        if (!kept.empty() && kept.back().hi > arc.back() * (1 - tolerance::figure_rounding))
+            kept.back().hi = arc.back();
+        return kept;
+    };
+    return leave_out_beside(passes, bodies, shortest, contact, progress, ranges);
+}
+
 std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockField& field,
                                 const StockCutter& cutter, double least, double beside,
                                 const ContactAt& contact, const Progress& progress) {
@@ -152,11 +179,17 @@ std::vector<Pass> leave_out_air(const std::vector<Pass>& passes, const StockFiel
     return kept;
 }
 
+std::string held_alternative(const HeldOut& held) {
+    if (held.tilt_limit > 0) return ", or a larger tilt limit";
+    return held.has_ball ? ", or a tilt limit on a machine of five axes" : ", or a tool that tilts (finish5)";
+}
+
 void refuse_held(const std::string& operation, const HeldOut& held, const PlanContext& context) {
     const PlanText text{context.unit, context.to_setup};
     throw Error(ErrorCode::empty_result, operation,
                 "shank or holder would come into the part wherever the cutter could cut",
-                "use a tool that is " + text(std::max(held.lack.shank, held.lack.holder)) + " longer");
+                "use a tool that is " + text(std::max(held.lack.shank, held.lack.holder)) + " longer"
+                    + held_alternative(held));
 }
 
 void refuse_beside_raw(const std::string& operation) {

@@ -8,6 +8,7 @@
 #include "core/strategy/surface/contact_domain.h"
 #include "core/strategy/surface/holder_reach.h"
 #include "core/strategy/surface/stock_field.h"
+#include "core/strategy/tilt/tilted_passes.h"
 
 #include <functional>
 #include <span>
@@ -42,11 +43,20 @@ struct HeldOut {
     std::vector<Pass> kept, left;       ///< pieces of the passes
     double length = 0, left_length = 0; ///< of all passes, and of what is left out; mm
     HolderReach::Lack lack;             ///< the largest; lengths that would have to be added
+    double tilt_limit = 0;              ///< up to which the tool was inclined; 0: upright
+    bool has_ball = false;              ///< the cutter can be inclined
 };
 
 /// Keeps what shank and holder may come to. Pieces shorter than `shortest` are left out too.
 HeldOut leave_out_held(const std::vector<Pass>& passes, const HolderReach& bodies, double shortest,
                        const ContactAt& contact, const Progress& progress);
+
+/// The same of a tool that is inclined: keeps what it can cut so. `bodies`: of the upright tool.
+HeldOut leave_out_untilted(const std::vector<Pass>& passes, const PassTilter& tilter,
+                           const HolderReach& bodies, double shortest, const ContactAt& contact,
+                           const Progress& progress);
+/// What else than a longer tool would reach it: ", or a larger tilt limit".
+std::string held_alternative(const HeldOut& held);
 
 /// Throws Error(empty_result): all of the passes are held up.
 [[noreturn]] void refuse_held(const std::string& operation, const HeldOut& held, const PlanContext& context);

@@ -16,7 +16,15 @@ void PassFilter::leave_out_held_up(std::vector<Pass>& passes, const Progress& pr
     const HolderReach bodies(context_.contact, context_.tool, options_.allowance + options_.holder_clearance,
                              options_.chord);
     if (bodies.empty()) return;
-    held_ = leave_out_held(passes, bodies, shortest_piece * profile_.max_radius(), contact_, progress);
+    const double shortest = shortest_piece * profile_.max_radius();
+    held_ = options_.tilt_limit > 0
+                ? leave_out_untilted(passes,
+                                     PassTilter(context_, {options_.tilt_limit, options_.allowance,
+                                                           options_.holder_clearance, options_.chord}),
+                                     bodies, shortest, contact_, progress)
+                : leave_out_held(passes, bodies, shortest, contact_, progress);
+    held_.tilt_limit = options_.tilt_limit;
+    held_.has_ball = ball_radius(profile_) > 0;
     if (held_.kept.empty()) refuse_held(settings_.name, held_, context_);
     passes = std::move(held_.kept);
     held_.kept.clear();
@@ -52,6 +60,7 @@ void PassFilter::leave_out_air(std::vector<Pass>& passes, const Progress& progre
 }
 
 bool PassFilter::leave_out_beside_stock(std::vector<Pass>& passes, const Progress& progress) {
+    if (options_.tilt_limit > 0) return false;
     auto clear = keep_clear_of_left_stock(passes, context_, profile_.max_radius(), settings_.tolerance,
                                           contact_, progress);
     if (!clear) return false;

@@ -4,6 +4,7 @@
 
 #include "core/strategy/finish3/left_out.h"
 #include "core/strategy/finish3/left_stock.h"
+#include "core/strategy/tilt/tilted_passes.h"
 
 #include <vector>
 
@@ -16,6 +17,7 @@ public:
         double allowance = 0; ///< stock left on the part, what its tessellation lacks included
         double chord = 0;     ///< of the path
         double holder_clearance = 0;
+        double tilt_limit = 0; ///< above 0 the tool will be inclined where shank or holder would touch
         bool rest_only = false;
     };
     /// What is given has to live as long as this.
@@ -26,13 +28,14 @@ public:
 
     // Each throws Error(empty_result) where nothing is left.
 
-    /// Where shank or holder would come into the part.
+    /// Where shank or holder would come into the part, however the tool may be inclined.
     void leave_out_held_up(std::vector<Pass>& passes, const Progress& progress);
     /// What passes the raw material by; where only rest is asked for, what takes away less than the cusp of
     /// what stands.
     void leave_out_air(std::vector<Pass>& passes, const Progress& progress) const;
-    /// Where shank or holder would come into what stands above the flutes. Follows the passes in the order in
-    /// which they are cut. True where something was left out; it is `held().left` as well then.
+    /// Where shank or holder of an upright tool would come into what stands above the flutes. Follows the
+    /// passes in the order in which they are cut. True where something was left out; it is `held().left` as
+    /// well then.
     bool leave_out_beside_stock(std::vector<Pass>& passes, const Progress& progress);
 
     const HeldOut& held() const { return held_; } ///< `kept` is empty

@@ -65,6 +65,8 @@ struct Finish5Settings : OperationCommon {
     /// Distance of the lines beside a pass by which the width of its strip is found, in radii of the cutter:
     /// what stands between two of them is not seen.
     double strip_look_share = 1.0 / 16;
+    /// Axes that lean farther from +Z are not held, whatever the machine can.
+    double max_tilt = pi;
 };
 
 const ParameterTable<Finish5Settings>& finish5_parameters();

@@ -110,7 +110,8 @@ FiveAxisField::FiveAxisField(const PlanContext& context, const Finish5Settings& 
     input.lift = &*lift_;
     input.grid = &grid_;
     input.kinematics = &*kinematics_;
-    input.lowest_axis_z = tolerance::lowest_axis_z;
+    input.lowest_axis_z =
+        std::max(tolerance::lowest_axis_z, std::cos(settings_.max_tilt) - tolerance::level_angle);
     input.local_radius = 2 * radius_;
     input.height = cutter().height();
     input.bottom_everywhere = whole_spaces;

@@ -34,6 +34,9 @@ struct FiveAxisRecord {
     std::vector<Piece> pieces;
     std::vector<Point> points; ///< in machining order
     std::vector<Line> lines;
+    /// False: of passes whose ball was inclined afterwards (tilted_passes.h), which asks for nothing but the
+    /// contact point itself.
+    bool has_strips = true;
     /// What the contact indexes of the contexts hold, of a record whose contexts have none: one that was kept
     /// in a file. All of them have the same.
     MeshPtr kept_off;

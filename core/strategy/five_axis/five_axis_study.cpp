@@ -35,6 +35,32 @@ const FiveAxisField& FiveAxisStudy::field_of(const FiveAxisRecord::Line& line,
     return *own;
 }
 
+/// Points of passes without strips: the tool is to hold the contact point to within the chord tolerance, and
+/// what was planned is all that was chosen.
+std::vector<FiveAxisStudy::Point> FiveAxisStudy::line_without_strips(const FiveAxisRecord::Line& line,
+                                                                     const Progress& progress) const {
+    std::vector<Point> points(line.end - line.begin);
+    std::vector<ContactFrame> frames;
+    std::vector<std::vector<RaisedCurve>> curves;
+    for (std::size_t i = line.begin; i < line.end; ++i) {
+        const ContactFrame& frame = record_->points[i].place.frame;
+        frames.push_back(frame);
+        curves.push_back({{frame.point + field_.chord() * frame.normal}});
+    }
+    std::vector<CSpace> spaces = field_.builder().build(frames, curves, progress);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Point& point = points[i];
+        point.index = line.begin + i;
+        point.place = record_->points[point.index].place;
+        point.grid = field_.grid();
+        point.curves = std::move(curves[i]);
+        point.space = std::move(spaces[i]);
+        point.planned = record_->points[point.index].choice;
+        point.chosen.fill(point.planned);
+    }
+    return points;
+}
+
 FiveAxisStudy::Point FiveAxisStudy::point(std::size_t index, const Progress& progress) const {
     std::vector<Point> points = line(index, progress);
     return std::move(points[index - points.front().index]);
@@ -47,6 +73,7 @@ std::vector<FiveAxisStudy::Point> FiveAxisStudy::line(std::size_t index, const P
                         + std::to_string(record_->points.size()),
                     "give a number from 0 to " + std::to_string(record_->points.size() - 1));
     const FiveAxisRecord::Line& line = record_->line_of(index);
+    if (!record_->has_strips) return line_without_strips(line, progress);
     std::vector<ContactPlace> places;
     for (std::size_t i = line.begin; i < line.end; ++i)
         places.push_back(record_->points[i].place);

@@ -21,10 +21,11 @@ public:
         ContactPlace place;
         PostureGrid grid; ///< that of its piece
         std::vector<RaisedCurve> curves;
-        CSpace space;                        ///< with the bottom everywhere
-        double cm2_lead = 0;                 ///< the CM2 lead, whether it is free or not
-        std::array<ChosenPosture, 3> chosen; ///< by cm2, local, global (Finish5Settings::PostureChoice)
-        ChosenPosture planned;               ///< the operation's own
+        CSpace space;        ///< with the bottom everywhere
+        double cm2_lead = 0; ///< the CM2 lead, whether it is free or not
+        /// By cm2, local, global (Finish5Settings::PostureChoice); without strips the operation's own.
+        std::array<ChosenPosture, 3> chosen;
+        ChosenPosture planned; ///< the operation's own
     };
     /// Plans the point's whole pass by every method: the global one depends on all of it. Throws
     /// Error(out_of_range) for an index that is not a contact point's.
@@ -42,6 +43,7 @@ public:
     const FiveAxisRecord& record() const { return *record_; }
 
 private:
+    std::vector<Point> line_without_strips(const FiveAxisRecord::Line& line, const Progress& progress) const;
     const FiveAxisField& field_of(const FiveAxisRecord::Line& line, const Progress& progress) const;
 
     std::shared_ptr<const FiveAxisRecord> record_;

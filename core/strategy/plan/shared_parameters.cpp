@@ -27,6 +27,17 @@ ParameterInfo holder_clearance_parameter() {
             .advanced = true};
 }
 
+ParameterInfo tilt_limit_parameter() {
+    return {.key = "tilt_limit",
+            .label = "Tilt limit",
+            .help = "Largest inclination of the tool axis, used where shank or holder would touch the part. "
+                    "0 keeps the tool upright; above 0 the program is one of five axes.",
+            .kind = ParameterKind::number,
+            .quantity = Quantity::angle,
+            .minimum = 0,
+            .maximum = 75 * pi / 180};
+}
+
 ParameterInfo pattern_parameter(const std::string& help) {
     return {.key = "pattern", .label = "Pattern", .help = help, .words = {"zigzag", "oneway"}};
 }

@@ -11,6 +11,8 @@ namespace facetmill {
 ParameterInfo chord_tolerance_parameter(const std::string& what);
 /// Kept between shank or holder and the part.
 ParameterInfo holder_clearance_parameter();
+/// How far the tool may lean where shank or holder would touch.
+ParameterInfo tilt_limit_parameter();
 /// zigzag or oneway; `help` says what they are here.
 ParameterInfo pattern_parameter(const std::string& help);
 /// How far the normal turns between points of a pass; `more` ends the sentence of the help.

@@ -132,7 +132,8 @@ ScallopPlanner::ScallopPlanner(const ScallopSettings& settings, const PlanContex
       tell_(context.contact, cover_, facets_of_part(context), allowance_),
       steps_(cover_, line_cusp_, progress.part(0, 0)),
       filter_(settings, context, profile_,
-              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
+              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.tilt_limit,
+               settings.rest_only},
               [this](const Vec3& tip) { return contact(tip); }) {
     fine_.below = fine_.above = 0.5 * chord_;
     fine_.spacing = safe_spacing(profile_, fine_.below);
@@ -527,6 +528,7 @@ const ParameterTable<ScallopSettings>& scallop_parameters() {
               chord_tolerance_parameter(
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
+        t.add(&S::tilt_limit, tilt_limit_parameter());
         t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
@@ -535,7 +537,9 @@ const ParameterTable<ScallopSettings>& scallop_parameters() {
 
 StrategyResult Scallop::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return ScallopPlanner(settings_, context, progress).run(true).path;
+    return with_tilt(settings_, context, progress, [&](const Progress& upright) {
+        return ScallopPlanner(settings_, context, upright).run(true).path;
+    });
 }
 
 PlannedPasses scallop_passes(const ScallopSettings& settings, const PlanContext& context,

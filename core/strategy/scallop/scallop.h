@@ -33,6 +33,7 @@ struct ScallopSettings : OperationCommon {
     Pattern pattern = Pattern::zigzag;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double holder_clearance = 0;             ///< mm, kept between shank or holder and the part
+    double tilt_limit = 0; ///< largest inclination of the axis where shank or holder would touch, radians
     bool rest_only = false;
 };
 
@@ -44,7 +45,7 @@ public:
 
     std::string_view kind() const override { return "scallop"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Scallop>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     std::vector<std::string> curve_keys() const override { return {"curve"}; }
     double holder_clearance() const override { return settings_.holder_clearance; }

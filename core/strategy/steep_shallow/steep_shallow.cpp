@@ -29,6 +29,7 @@ WaterlineSettings steep_settings(const SteepShallowSettings& s) {
                                                               : WaterlineSettings::Pattern::oneway;
     w.chord_tolerance = s.chord_tolerance;
     w.holder_clearance = s.holder_clearance;
+    w.tilt_limit = s.tilt_limit;
     w.rest_only = s.rest_only;
     return w;
 }
@@ -41,6 +42,7 @@ Finish3Settings shallow_settings(const SteepShallowSettings& s) {
     f.chord_tolerance = s.chord_tolerance;
     f.normal_limit = s.normal_limit;
     f.holder_clearance = s.holder_clearance;
+    f.tilt_limit = s.tilt_limit;
     f.rest_only = s.rest_only;
     return f;
 }
@@ -56,6 +58,7 @@ ScallopSettings shallow_scallop(const SteepShallowSettings& s) {
                                                               : ScallopSettings::Pattern::oneway;
     c.chord_tolerance = s.chord_tolerance;
     c.holder_clearance = s.holder_clearance;
+    c.tilt_limit = s.tilt_limit;
     c.rest_only = s.rest_only;
     return c;
 }
@@ -80,6 +83,8 @@ HeldOut together(HeldOut a, const HeldOut& b) {
     a.left_length += b.left_length;
     a.lack.shank = std::max(a.lack.shank, b.lack.shank);
     a.lack.holder = std::max(a.lack.holder, b.lack.holder);
+    a.tilt_limit = std::max(a.tilt_limit, b.tilt_limit);
+    a.has_ball = a.has_ball || b.has_ball;
     return a;
 }
 
@@ -269,6 +274,7 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::normal_limit, normal_limit_parameter("; more points are put in where it turns more"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
+        t.add(&S::tilt_limit, tilt_limit_parameter());
         t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
@@ -277,7 +283,8 @@ const ParameterTable<SteepShallowSettings>& steep_shallow_parameters() {
 
 StrategyResult SteepShallow::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return DividedPlan(settings_, context).run(progress);
+    return with_tilt(settings_, context, progress,
+                     [&](const Progress& upright) { return DividedPlan(settings_, context).run(upright); });
 }
 
 } // namespace facetmill

@@ -30,6 +30,7 @@ struct SteepShallowSettings : OperationCommon {
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double normal_limit = radians(5);
     double holder_clearance = 0; ///< mm, kept between shank or holder and the part
+    double tilt_limit = 0; ///< largest inclination of the axis where shank or holder would touch, radians
     bool rest_only = false;
 
     /// The slopes that levels cut, and those that passes cut.
@@ -47,7 +48,7 @@ public:
 
     std::string_view kind() const override { return "steep_shallow"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<SteepShallow>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

@@ -84,7 +84,8 @@ WaterlinePlanner::WaterlinePlanner(const WaterlineSettings& settings, const Plan
       tell_(context.contact, cover_, facets_of_part(context), allowance_),
       slopes_{settings.slope_limits[0] - slope_slack, settings.slope_limits[1] + slope_slack},
       filter_(settings, context, profile_,
-              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.rest_only},
+              {cusp_allowed_, allowance_, chord_, settings.holder_clearance, settings.tilt_limit,
+               settings.rest_only},
               contact_at()) {
     // Between free places the cutter may come too near by half of the chord tolerance, by leaving places out
     // by the other half; what stays beside a contour is as much, and the steps leave room for both.
@@ -303,6 +304,7 @@ const ParameterTable<WaterlineSettings>& waterline_parameters() {
               chord_tolerance_parameter(
                   "How far straight moves may run beside the exact path, to either side"));
         t.add(&S::holder_clearance, holder_clearance_parameter());
+        t.add(&S::tilt_limit, tilt_limit_parameter());
         t.add(&S::rest_only, rest_only_parameter());
         return t;
     }();
@@ -311,7 +313,9 @@ const ParameterTable<WaterlineSettings>& waterline_parameters() {
 
 StrategyResult Waterline::plan(const PlanContext& context, const Progress& progress) const {
     check_plannable(context, settings_);
-    return WaterlinePlanner(settings_, context, progress).run(true).path;
+    return with_tilt(settings_, context, progress, [&](const Progress& upright) {
+        return WaterlinePlanner(settings_, context, upright).run(true).path;
+    });
 }
 
 PlannedPasses waterline_passes(const WaterlineSettings& settings, const PlanContext& context,

@@ -29,6 +29,7 @@ struct WaterlineSettings : OperationCommon {
     Pattern pattern = Pattern::zigzag;
     NumberOrWord chord_tolerance{0, "auto"}; ///< mm; auto: see chord_budget
     double holder_clearance = 0;             ///< mm, kept between shank or holder and the part
+    double tilt_limit = 0; ///< largest inclination of the axis where shank or holder would touch, radians
     bool rest_only = false;
     /// The distance of the places of the grid on which contours are looked for, in radii of the cutter. No
     /// parameter: islands and hollows that are narrower for the tip are missed, and tests halve it.
@@ -43,7 +44,7 @@ public:
 
     std::string_view kind() const override { return "waterline"; }
     std::unique_ptr<Operation> clone() const override { return std::make_unique<Waterline>(settings_); }
-    bool keeps_axis() const override { return true; }
+    bool keeps_axis() const override { return settings_.tilt_limit == 0; }
     bool reads_stock() const override { return true; }
     double holder_clearance() const override { return settings_.holder_clearance; }
 

@@ -1,10 +1,8 @@
 // The constants by which clean-up keeps clear of the part and sees what is left, at half and at double: at
 // half nothing is worse; at double it stays within what the constants promise, and beyond that the checks see
 // it.
-#include "core/strategy/cleanup/axis_tilt.h"
 #include "core/strategy/cleanup/body_clearance.h"
 #include "core/strategy/cleanup/pass_clearing.h"
-#include "core/strategy/five_axis/posture_path.h"
 #include "tests/support/test_runner.h"
 #include "tests/unit/strategy/cleanup/cutter_over.h"
 
@@ -14,27 +12,6 @@ using namespace facetmill;
 using namespace facetmill::test;
 
 namespace {
-
-/// A floor and a tall wall that leans back and winds along X.
-Mesh winding_wall() {
-    const double high = 30, back = high * std::tan(radians(10));
-    const std::vector<Vec2> profile{{-30, 0},     {-8, 0},   {0, 0}, {0.2 * back, 0.2 * high},
-                                    {back, high}, {30, high}};
-    Mesh m;
-    const int columns = 160;
-    for (const Vec2& p : profile)
-        for (int i = 0; i <= columns; ++i) {
-            const double x = -16 + 32.0 * i / columns;
-            m.vertices.emplace_back(x, p.x() + 2 * std::sin(x / 3), p.y());
-        }
-    const auto at = [&](int i, int j) { return Index(j * (columns + 1) + i); };
-    for (int j = 0; j + 1 < int(profile.size()); ++j)
-        for (int i = 0; i < columns; ++i) {
-            m.facets.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            m.facets.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    return m;
-}
 
 QString told(double share, double found) {
     return QString("at %1: %2").arg(share).arg(found);
@@ -87,56 +64,6 @@ private slots:
             QVERIFY2(most <= allowed * with.chord, qPrintable(told(factor, most)));
         }
         QVERIFY(deepest(4 * usual) > with.chord);
-    }
-
-    /// A holder that would touch a winding wall makes the axis turn all along it.
-    void inclined_motions_keep_clear_of_the_part() {
-        const Mesh part = winding_wall();
-        Tool tool = ball_tool(4);
-        tool.flute_length = 12;
-        tool.shank_length = 6;
-        tool.holder = {{24, 30}};
-        const PlanContext context = context_of(part, tool);
-        const AxialLift lift(context.contact, CutterProfile(tool.cutter()));
-        const CutterCover cover(CutterProfile(tool.cutter()), 0.001);
-        const ToolLift whole(context.contact, tool, {0, 0, 0});
-        Pass pass;
-        for (double x = -12; x <= 12; x += 1.5) {
-            const double y = 2 * std::sin(x / 3) - 1.8;
-            const AxialContact c = lift.contact(x, y);
-            const Vec3 tip(x, y, c.tip_z);
-            pass.cl.push_back({tip, Vec3::UnitZ()});
-            pass.cc.push_back({c.point, cover.contact_normal(c.point - tip).value_or(Vec3::UnitZ())});
-        }
-        TiltInput input;
-        input.whole = &whole;
-        input.limit = radians(50);
-        input.chord = 0.005;
-        input.raise = 0.1;
-        const auto deepest = [&](double share, double& length) {
-            input.looked_share = share;
-            double most = 0;
-            length = 0;
-            ToolLift::Hint hint;
-            for (const Pass& p : tilted_where_held(input, pass, Progress()).passes)
-                for (std::size_t i = 1; i < p.cl.size(); ++i) {
-                    length += (p.cl[i].tip - p.cl[i - 1].tip).norm();
-                    for (int k = 0; k <= 100; ++k) {
-                        const CutterLocation at = location_on_route(p.cl[i - 1], p.cl[i], k / 100.0);
-                        most = std::max(most, whole.lift({at.tip, at.axis}, hint));
-                    }
-                }
-            return most;
-        };
-        const double usual = TiltInput().looked_share;
-        double length = 0;
-        for (const auto& [factor, allowed] : {std::pair(0.5, 1.0), {1.0, 1.0}, {2.0, 1.5}}) {
-            const double most = deepest(factor * usual, length);
-            qInfo("%s, %g mm", qPrintable(told(factor, most)), length);
-            QVERIFY2(most <= allowed * input.chord, qPrintable(told(factor, most)));
-            QVERIFY(length > 15);
-        }
-        QVERIFY(deepest(4 * usual, length) > input.chord);
     }
 
     /// A tall thin post beside a long straight move: the ball passes it, the holder above it does not, and at
