@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/link/tilted_stock.h"
+#include "core/strategy/tilt/tilted_stock.h"
 #include "core/setup/motion.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "core/link/shank_in_stock.h"
 
-#include "core/link/tilted_stock.h"
+#include "core/strategy/tilt/tilted_stock.h"
 #include "core/strategy/lathe/lathe_field.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/stock_before.h"

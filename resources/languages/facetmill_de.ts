@@ -248,6 +248,18 @@
         <translation>, etwa bei {1}, {2}, {3}</translation>
     </message>
     <message>
+        <source>, or a larger tilt limit</source>
+        <translation>, oder eine größere Neigungsgrenze</translation>
+    </message>
+    <message>
+        <source>, or a tilt limit on a machine of five axes</source>
+        <translation>, oder eine Neigungsgrenze auf einer Maschine mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>, or a tool that tilts (finish5)</source>
+        <translation>, oder ein Werkzeug, das sich neigt (finish5)</translation>
+    </message>
+    <message>
         <source>0 for a sharp corner; half the diameter for a ball end.</source>
         <translation>0 für eine scharfe Ecke; der halbe Durchmesser für einen Kugelkopf.</translation>
     </message>
@@ -318,6 +330,10 @@
     <message>
         <source>A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.</source>
         <translation>Ein quadratisches Prisma, Seite 45 mm, 60 mm lang, mit einer Vierteldrehung um die X-Achse.</translation>
+    </message>
+    <message>
+        <source>A tool that cuts into the part is not inclined: the depth is above 0</source>
+        <translation>Ein Werkzeug, das ins Teil fräst, wird nicht geneigt: die Tiefe ist über 0</translation>
     </message>
     <message>
         <source>A turns about X, B about Y, C about Z: mend the name or the direction</source>
@@ -522,6 +538,10 @@
     <message>
         <source>Choose global postures, and count the time, with what the machine's axes take to change their speed, where its file says.</source>
         <translation>Globale Stellungen wählen und die Zeit zählen mit dem, was die Achsen der Maschine zum Ändern ihrer Geschwindigkeit brauchen, wo ihre Datei es sagt.</translation>
+    </message>
+    <message>
+        <source>Choosing axes</source>
+        <translation>Achsen werden gewählt</translation>
     </message>
     <message>
         <source>Choosing layers</source>
@@ -2816,6 +2836,10 @@
         <translation>Die Toleranzen der Aufspannungen sind verschieden: was bleibt, wurde an der größten gemessen, {1}.</translation>
     </message>
     <message>
+        <source>The tool has no ball end, and only a ball cuts the same however it leans</source>
+        <translation>Das Werkzeug hat kein Kugelende, und nur eine Kugel fräst gleich, wie sie sich auch neigt</translation>
+    </message>
+    <message>
         <source>The word endsolid is missing; the mesh is closed, so the file was taken as complete.</source>
         <translation>Das Wort endsolid fehlt; das Netz ist geschlossen, also gilt die Datei als vollständig.</translation>
     </message>
@@ -3674,6 +3698,10 @@
     <message>
         <source>a tool pose is not finite or its axis is no unit vector</source>
         <translation>eine Werkzeuglage ist nicht endlich oder ihre Achse kein Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>a tool that cuts into the part is not inclined</source>
+        <translation>ein Werkzeug, das ins Teil fräst, wird nicht geneigt</translation>
     </message>
     <message>
         <source>a transfer as text has changed the binary file: there is a CR before every LF</source>
@@ -6588,6 +6616,10 @@
         <translation>dort kann keine Datei gesperrt werden</translation>
     </message>
     <message>
+        <source>no inclined tool that turns steadily is free of the part, and of what stands of the stock, along {1} of the passes, which are left out: rough closer, use a longer tool, or allow a larger tilt limit</source>
+        <translation>auf {1} der Bahnen ist kein geneigtes Werkzeug, das sich stetig dreht, frei vom Teil und von dem, was vom Rohteil steht; sie bleiben aus: näher schruppen, ein längeres Werkzeug nehmen, oder eine größere Neigungsgrenze erlauben</translation>
+    </message>
+    <message>
         <source>no layer lies lower than {1}, where stock or part end, and over {2} of the part, seen {3}, the tool would have to be lower: up to {4} stays above the allowance, most at {5}: take a tool that is flatter at its end, or leave it to what comes after</source>
         <translation>keine Ebene liegt tiefer als {1}, wo Rohteil oder Teil enden, und über {2} des Teils, {3} gesehen, müsste das Werkzeug tiefer sein: bis zu {4} bleibt über dem Aufmaß, am meisten bei {5}: ein an der Stirn flacheres Werkzeug nehmen oder es dem Späteren überlassen</translation>
     </message>
@@ -6918,6 +6950,10 @@
     <message>
         <source>only UNITS/MM and UNITS/INCHES are read</source>
         <translation>nur UNITS/MM und UNITS/INCHES werden gelesen</translation>
+    </message>
+    <message>
+        <source>only a ball cuts the same however it leans, and tool {1} has no ball end</source>
+        <translation>nur eine Kugel fräst gleich, wie sie sich auch neigt, und Werkzeug {1} hat kein Kugelende</translation>
     </message>
     <message>
         <source>only a step of kind hole leaves a hole open</source>
@@ -7284,6 +7320,10 @@
         <translation>vorher schruppen oder um {1} längere Schneiden nehmen</translation>
     </message>
     <message>
+        <source>rough before it, use a longer tool, or allow a larger tilt limit</source>
+        <translation>vorher schruppen, ein längeres Werkzeug nehmen, oder eine größere Neigungsgrenze erlauben</translation>
+    </message>
+    <message>
         <source>rough with a tool whose taper angle is 0 or more</source>
         <translation>mit einem Werkzeug schruppen, dessen Flankenwinkel 0 oder mehr ist</translation>
     </message>
@@ -7432,6 +7472,10 @@
         <translation>multi_axis auf tcp oder vectors setzen</translation>
     </message>
     <message>
+        <source>set the tilt limit or the depth to 0</source>
+        <translation>die Neigungsgrenze oder die Tiefe auf 0 setzen</translation>
+    </message>
+    <message>
         <source>set the {1}</source>
         <translation>setzen: {1}</translation>
     </message>
@@ -7454,6 +7498,10 @@
     <message>
         <source>shank or holder would come into the part wherever the cutter could cut</source>
         <translation>Schaft oder Halter kämen in das Teil, wo immer der Fräser fräsen könnte</translation>
+    </message>
+    <message>
+        <source>shank or holder would come into the part, or into what stands of the stock, wherever the cutter could cut, however far it is inclined within the tilt limit</source>
+        <translation>Schaft oder Halter kämen ins Teil, oder in das, was vom Rohteil steht, wo immer der Fräser schneiden könnte, wie weit er sich innerhalb der Neigungsgrenze auch neigt</translation>
     </message>
     <message>
         <source>shank or holder would come into the stock wherever the cutter could cut</source>
@@ -7598,6 +7646,10 @@
     <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>ein kleineres Werkzeug nehmen oder ihm senkrechtes Eintauchen erlauben</translation>
+    </message>
+    <message>
+        <source>take a tool that has one, set the tilt limit to 0, or finish with five axes (finish5)</source>
+        <translation>ein Werkzeug nehmen, das eines hat, die Neigungsgrenze auf 0 setzen, oder mit fünf Achsen schlichten (finish5)</translation>
     </message>
     <message>
         <source>take the winner, or one of the front</source>
@@ -8888,16 +8940,16 @@
         <translation>das Werkzeug wird an der Spitze von einem unbekannten Ort aus geführt</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it, or a tool that tilts (finish5)</source>
-        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus und {2} der Fläche um bis zu {3} stehen, am meisten bei {4}: {5} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it{6}</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus und {2} der Fläche um bis zu {3} stehen, am meisten bei {4}: {5} würden hinreichen{6}</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
-        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, deshalb werden {1} der Bahnen ausgelassen: ein um {2} längeres Werkzeug käme hin</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it{3}</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, deshalb werden {1} der Bahnen ausgelassen: ein um {2} längeres Werkzeug käme hin{3}</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus: {2} würden hinreichen, oder ein Werkzeug, das sich neigt (finish5)</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it{3}</source>
+        <translation>das Werkzeug ist kurz: Schaft oder Halter kämen ins Teil, daher bleiben {1} der Bahnen aus: {2} würden hinreichen{3}</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -9692,8 +9744,8 @@
         <translation>ein Rohteil nehmen, das tiefer reicht, oder es mit 'Unter dem Boden' erlauben</translation>
     </message>
     <message>
-        <source>use a tool that is {1} longer</source>
-        <translation>ein um {1} längeres Werkzeug nehmen</translation>
+        <source>use a tool that is {1} longer{2}</source>
+        <translation>ein um {1} längeres Werkzeug nehmen{2}</translation>
     </message>
     <message>
         <source>use at least {1}</source>
@@ -15458,6 +15510,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Das Werkzeug am gewählten Punkt des Wegs</translation>
     </message>
     <message>
+        <source>The tool leans as little as it has to here: postures are kept for operations that choose them</source>
+        <translation>Das Werkzeug neigt sich hier so wenig wie nötig: Stellungen werden bei Operationen behalten, die sie wählen</translation>
+    </message>
+    <message>
         <source>The tool leans with the surface, and leaves wide strips</source>
         <translation>Das Werkzeug neigt sich mit der Fläche und lässt breite Streifen</translation>
     </message>
@@ -16098,6 +16154,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
         <translation>Was zu tun ist: ein Rohteil, das tiefer reicht, oder „Unter dem Boden“, wo es dort nichts hält.</translation>
+    </message>
+    <message>
+        <source>What to do: a tilt limit in %1, by which the tool leans there; or a longer shank, or a slimmer holder.</source>
+        <translation>Was zu tun ist: eine Neigungsgrenze in %1, mit der sich das Werkzeug dort neigt; oder ein längerer Schaft, oder ein schlankerer Halter.</translation>
     </message>
     <message>
         <source>What to do: a tool with longer flutes, or a smaller allowance in Rough.</source>

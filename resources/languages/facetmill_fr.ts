@@ -248,6 +248,18 @@
         <translation>, comme à {1}, {2}, {3}</translation>
     </message>
     <message>
+        <source>, or a larger tilt limit</source>
+        <translation>, ou une limite d’inclinaison plus grande</translation>
+    </message>
+    <message>
+        <source>, or a tilt limit on a machine of five axes</source>
+        <translation>, ou une limite d’inclinaison sur une machine à cinq axes</translation>
+    </message>
+    <message>
+        <source>, or a tool that tilts (finish5)</source>
+        <translation>, ou un outil qui s’incline (finish5)</translation>
+    </message>
+    <message>
         <source>0 for a sharp corner; half the diameter for a ball end.</source>
         <translation>0 pour un coin vif ; la moitié du diamètre pour une hémisphérique.</translation>
     </message>
@@ -318,6 +330,10 @@
     <message>
         <source>A square prism of side 45 mm, 60 mm long, that makes a quarter turn about the X axis.</source>
         <translation>Un prisme carré de côté 45 mm, 60 mm de long, qui fait un quart de tour autour de l'axe X.</translation>
+    </message>
+    <message>
+        <source>A tool that cuts into the part is not inclined: the depth is above 0</source>
+        <translation>Un outil qui usine dans la pièce n’est pas incliné : la profondeur est au-dessus de 0</translation>
     </message>
     <message>
         <source>A turns about X, B about Y, C about Z: mend the name or the direction</source>
@@ -522,6 +538,10 @@
     <message>
         <source>Choose global postures, and count the time, with what the machine's axes take to change their speed, where its file says.</source>
         <translation>Choisir les postures globales et compter le temps avec ce qu'il faut aux axes de la machine pour changer de vitesse, où son fichier le dit.</translation>
+    </message>
+    <message>
+        <source>Choosing axes</source>
+        <translation>Choix des axes</translation>
     </message>
     <message>
         <source>Choosing layers</source>
@@ -2816,6 +2836,10 @@
         <translation>Les tolérances des posages diffèrent : ce qui reste a été comparé à la plus grande, {1}.</translation>
     </message>
     <message>
+        <source>The tool has no ball end, and only a ball cuts the same however it leans</source>
+        <translation>L’outil n’a pas de bout en boule, et seule une boule usine pareil quelle que soit son inclinaison</translation>
+    </message>
+    <message>
         <source>The word endsolid is missing; the mesh is closed, so the file was taken as complete.</source>
         <translation>Le mot endsolid manque ; le maillage est fermé, le fichier est donc pris pour complet.</translation>
     </message>
@@ -3674,6 +3698,10 @@
     <message>
         <source>a tool pose is not finite or its axis is no unit vector</source>
         <translation>une pose d'outil n'est pas finie ou son axe n'est pas un vecteur unité</translation>
+    </message>
+    <message>
+        <source>a tool that cuts into the part is not inclined</source>
+        <translation>un outil qui usine dans la pièce n’est pas incliné</translation>
     </message>
     <message>
         <source>a transfer as text has changed the binary file: there is a CR before every LF</source>
@@ -6588,6 +6616,10 @@
         <translation>aucun fichier ne peut y être verrouillé</translation>
     </message>
     <message>
+        <source>no inclined tool that turns steadily is free of the part, and of what stands of the stock, along {1} of the passes, which are left out: rough closer, use a longer tool, or allow a larger tilt limit</source>
+        <translation>sur {1} des passes aucun outil incliné qui tourne régulièrement n’est libre de la pièce et de ce qui reste du brut, elles sont omises : ébaucher plus près, prendre un outil plus long, ou permettre une limite d’inclinaison plus grande</translation>
+    </message>
+    <message>
         <source>no layer lies lower than {1}, where stock or part end, and over {2} of the part, seen {3}, the tool would have to be lower: up to {4} stays above the allowance, most at {5}: take a tool that is flatter at its end, or leave it to what comes after</source>
         <translation>aucun niveau n'est plus bas que {1}, où finissent brut ou pièce, et sur {2} de la pièce, vue {3}, l'outil devrait être plus bas : jusqu'à {4} reste au-dessus de la surépaisseur, le plus à {5} : prendre un outil au bout plus plat, ou le laisser à la suite</translation>
     </message>
@@ -6918,6 +6950,10 @@
     <message>
         <source>only UNITS/MM and UNITS/INCHES are read</source>
         <translation>seuls UNITS/MM et UNITS/INCHES sont lus</translation>
+    </message>
+    <message>
+        <source>only a ball cuts the same however it leans, and tool {1} has no ball end</source>
+        <translation>seule une boule usine pareil quelle que soit son inclinaison, et l’outil {1} n’a pas de bout en boule</translation>
     </message>
     <message>
         <source>only a step of kind hole leaves a hole open</source>
@@ -7284,6 +7320,10 @@
         <translation>ébaucher avant, ou prendre une partie coupante plus longue de {1}</translation>
     </message>
     <message>
+        <source>rough before it, use a longer tool, or allow a larger tilt limit</source>
+        <translation>ébaucher avant, prendre un outil plus long, ou permettre une limite d’inclinaison plus grande</translation>
+    </message>
+    <message>
         <source>rough with a tool whose taper angle is 0 or more</source>
         <translation>ébaucher avec un outil dont l'angle de cône est 0 ou plus</translation>
     </message>
@@ -7432,6 +7472,10 @@
         <translation>mettre multi_axis à tcp ou vectors</translation>
     </message>
     <message>
+        <source>set the tilt limit or the depth to 0</source>
+        <translation>mettre à 0 la limite d’inclinaison ou la profondeur</translation>
+    </message>
+    <message>
         <source>set the {1}</source>
         <translation>fixer : {1}</translation>
     </message>
@@ -7454,6 +7498,10 @@
     <message>
         <source>shank or holder would come into the part wherever the cutter could cut</source>
         <translation>queue ou porte-outil entreraient dans la pièce partout où la fraise pourrait usiner</translation>
+    </message>
+    <message>
+        <source>shank or holder would come into the part, or into what stands of the stock, wherever the cutter could cut, however far it is inclined within the tilt limit</source>
+        <translation>la queue ou le porte-outil entrerait dans la pièce, ou dans ce qui reste du brut, partout où la fraise pourrait usiner, aussi loin qu’elle s’incline dans la limite</translation>
     </message>
     <message>
         <source>shank or holder would come into the stock wherever the cutter could cut</source>
@@ -7598,6 +7646,10 @@
     <message>
         <source>take a smaller tool, or allow it to plunge</source>
         <translation>prendre un outil plus petit, ou lui permettre de plonger</translation>
+    </message>
+    <message>
+        <source>take a tool that has one, set the tilt limit to 0, or finish with five axes (finish5)</source>
+        <translation>prendre un outil qui en a un, mettre la limite d’inclinaison à 0, ou finir à cinq axes (finish5)</translation>
     </message>
     <message>
         <source>take the winner, or one of the front</source>
@@ -8888,16 +8940,16 @@
         <translation>l'outil est guidé par sa pointe depuis un endroit inconnu</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it, or a tool that tilts (finish5)</source>
-        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises et {2} de la surface restent non usinés jusqu'à {3}, surtout en {4} : {5} suffirait, ou un outil qui s'incline (finish5)</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out and {2} of the surface stays uncut by up to {3}, most at {4}: {5} would reach it{6}</source>
+        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises et {2} de la surface restent non usinés jusqu'à {3}, surtout en {4} : {5} suffirait{6}</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it</source>
-        <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: a tool that is {2} longer would reach it{3}</source>
+        <translation>l'outil est court : la queue ou le porte-outil entrerait dans la pièce, {1} des passes sont donc omises : un outil plus long de {2} les atteindrait{3}</translation>
     </message>
     <message>
-        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it, or a tool that tilts (finish5)</source>
-        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises : {2} suffirait, ou un outil qui s'incline (finish5)</translation>
+        <source>the tool is short: shank or holder would come into the part, so {1} of the passes are left out: {2} would reach it{3}</source>
+        <translation>l'outil est court : queue ou porte-outil entreraient dans la pièce, donc {1} des passes sont omises : {2} suffirait{3}</translation>
     </message>
     <message>
         <source>the tool is short: shank or holder would come nearer to the part than the allowance, so over {1} of the ground the cutter stays above where it could be, by up to {2}, most at {3}: use a longer tool</source>
@@ -9692,8 +9744,8 @@
         <translation>prendre un brut qui descend plus bas, ou le permettre par 'Sous le fond'</translation>
     </message>
     <message>
-        <source>use a tool that is {1} longer</source>
-        <translation>prendre un outil plus long de {1}</translation>
+        <source>use a tool that is {1} longer{2}</source>
+        <translation>prendre un outil plus long de {1}{2}</translation>
     </message>
     <message>
         <source>use at least {1}</source>
@@ -15456,6 +15508,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>L'outil au point choisi du parcours</translation>
     </message>
     <message>
+        <source>The tool leans as little as it has to here: postures are kept for operations that choose them</source>
+        <translation>L’outil s’incline ici aussi peu que nécessaire : les postures sont gardées pour les opérations qui les choisissent</translation>
+    </message>
+    <message>
         <source>The tool leans with the surface, and leaves wide strips</source>
         <translation>L’outil s’incline avec la surface, et laisse de larges bandes</translation>
     </message>
@@ -16096,6 +16152,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>What to do: a stock that reaches lower, or Below the bottom where nothing holds it there.</source>
         <translation>Que faire : un brut qui descend plus bas, ou « Sous le fond » là où rien ne le tient.</translation>
+    </message>
+    <message>
+        <source>What to do: a tilt limit in %1, by which the tool leans there; or a longer shank, or a slimmer holder.</source>
+        <translation>Que faire : une limite d’inclinaison dans %1, par laquelle l’outil s’y incline ; ou une queue plus longue, ou un porte-outil plus fin.</translation>
     </message>
     <message>
         <source>What to do: a tool with longer flutes, or a smaller allowance in Rough.</source>

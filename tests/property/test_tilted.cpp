@@ -54,6 +54,21 @@ std::unique_ptr<Operation> finishing(const std::string& kind, double tilt_limit)
     return op;
 }
 
+/// The short tool over the part as a long one has left it, to within half a millimetre.
+PlanContext semi_finished(const Mesh& part) {
+    PlanContext context = five_axis_context(part, short_six());
+    const auto before = finishing("finish3", 0);
+    before->common().allowance = 0.4;
+    auto cuts = std::make_shared<EarlierCuts>();
+    cuts->cutter = long_six().cutter();
+    cuts->no_nearer = 0.35;
+    for (const Pass& pass : before->plan(five_axis_context(part, long_six()), Progress()).passes)
+        for (std::size_t i = 1; i < pass.cl.size(); ++i)
+            cuts->motions.push_back({pass.cl[i - 1].tip, pass.cl[i].tip});
+    context.earlier.push_back(std::move(cuts));
+    return context;
+}
+
 double tilted_length(const StrategyResult& path) {
     double sum = 0;
     for (const Pass& pass : path.passes)
@@ -130,8 +145,7 @@ private slots:
         QFETCH(QString, kind);
         const std::string name = kind.toStdString();
         const Mesh part = floor_between_walls();
-        const PlanContext with_long = five_axis_context(part, long_six()),
-                          with_short = five_axis_context(part, short_six());
+        const PlanContext with_long = five_axis_context(part, long_six()), with_short = semi_finished(part);
         const StrategyResult whole = finishing(name, 0)->plan(with_long, Progress());
         double upright = 0; // what the short tool cuts upright
         try {
@@ -175,7 +189,7 @@ private slots:
     }
 
     void any_number_of_threads_gives_the_same() {
-        const PlanContext context = five_axis_context(floor_between_walls(), short_six());
+        const PlanContext context = semi_finished(floor_between_walls());
         std::vector<std::vector<double>> found;
         for (const int threads : {1, 3}) {
             set_thread_count(threads);
@@ -188,7 +202,7 @@ private slots:
     /// Of every contact point the posture that was chosen is free in the space that is shown, upright ones
     /// beside the wall are not, and none that leans beyond the limit is.
     void configuration_spaces_are_those_of_the_choice() {
-        const PlanContext context = five_axis_context(floor_between_walls(), short_six());
+        const PlanContext context = semi_finished(floor_between_walls());
         const StrategyResult path = finishing("finish3", tilted_limit)->plan(context, Progress());
         const auto record = path.five_axis();
         QVERIFY(record && !record->has_strips);
@@ -225,6 +239,24 @@ private slots:
             QVERIFY(!cspace_json(study, point, LengthUnit::mm).empty());
         }
         QVERIFY(inclined > 3);
+    }
+
+    /// In a block that nobody roughed the holder comes into what stands over the floor, however it leans.
+    void what_stands_is_kept_out_of() {
+        const Mesh part = floor_between_walls();
+        const PlanContext block = five_axis_context(part, short_six());
+        const auto op = finishing("finish3", tilted_limit);
+        const StrategyResult path = op->plan(block, Progress()),
+                             after = op->plan(semi_finished(part), Progress());
+        QVERIFY(tilted_length(path) < 0.5 * tilted_length(after));
+        bool told = false;
+        for (const std::string& w : path.warnings)
+            told = told || w.find("what stands of the stock") != std::string::npos;
+        QVERIFY(told);
+        const Verification v =
+            judged(part, block, linked_tilted(path, block, *op), tilted_tau, path.chord_tolerance);
+        for (const Collision& c : v.collisions)
+            QVERIFY2(c.kind != Collision::Kind::holder, "the holder comes into the stock");
     }
 
     void only_balls_are_inclined() {

@@ -54,10 +54,11 @@ private:
         int axis = -1;      ///< the one chosen; -1: none is free
     };
 
-    /// Shank or holder, where one is in the part.
+    /// Shank or holder, where one is in the part or in what stands.
     ToolBody body_at(const CutterLocation& at) {
         const ToolContact c = in_.whole->contact_above({at.tip, at.axis}, in_.chord, hint_);
-        return c.body == ToolBody::shank || c.body == ToolBody::holder ? c.body : ToolBody::none;
+        if (c.body == ToolBody::shank || c.body == ToolBody::holder) return c.body;
+        return in_.stock && in_.stock->may_hold(at) ? ToolBody::holder : ToolBody::none;
     }
 
     static double length_of(const Pass& pass) {
@@ -136,7 +137,8 @@ private:
         raise = std::max(0.0, in_.whole->lift({at.tip, at.axis}, hint_));
         if (raise > in_.raise) return false;
         at.tip += raise * axis;
-        return !in_.machine || in_.machine->reaches({at.tip, at.axis});
+        if (in_.machine && !in_.machine->reaches({at.tip, at.axis})) return false;
+        return !in_.stock || !in_.stock->may_hold(at);
     }
 
     /// A tapered end has a ball only up to where its cone begins. An upright tool stands as it was planned.

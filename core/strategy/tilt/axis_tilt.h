@@ -8,13 +8,15 @@
 // dynamic programming finds the sequence that is inclined and turned least. Between the steps the axis turns
 // evenly; every location and the motion between two is looked at again, and divided where it cuts deeper than
 // the chord tolerance, or where a ball's middle leaves its way by a share of it. What machines would turn
-// differently between two locations is divided as well (even_motion.h).
+// differently between two locations is divided as well (even_motion.h). Stock that stands is asked about in
+// locations and places alone, a step apart.
 #pragma once
 
 #include "core/gouge/tool_lift.h"
 #include "core/setup/kinematics.h"
 #include "core/strategy/plan/path.h"
 #include "core/strategy/surface/contact_domain.h"
+#include "core/strategy/tilt/tilted_stock.h"
 
 #include <vector>
 
@@ -33,6 +35,7 @@ struct TiltInput {
     /// Between locations of the upright pass shank and holder are looked at as often (body_step); +inf: they
     /// are looked at in locations alone.
     double look_step = infinity;
+    const TiltedStock* stock = nullptr; ///< what else shank and holder keep out of
     /// Inclined only where the cutter touches with its ball end, upright and inclined: then it cuts the same.
     bool ball_only = false;
 };

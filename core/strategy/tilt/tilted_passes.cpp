@@ -1,8 +1,8 @@
 #include "core/strategy/tilt/tilted_passes.h"
 
-#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/strategy/plan/plan_text.h"
+#include "core/strategy/surface/stock_before.h"
 #include "core/strategy/tilt/tilted_record.h"
 
 #include <algorithm>
@@ -10,6 +10,9 @@
 namespace facetmill {
 
 namespace {
+
+/// The cells of the stock that shank and holder keep out of, in radii of the cutter.
+constexpr double tilt_cell_share = 0.125;
 
 /// Shank and holder a hair thinner: a shank as thick as the cutter runs along what the cutter has cut.
 ToolLift thinner_tool(const PlanContext& context, const TiltOptions& options) {
@@ -37,8 +40,10 @@ PassTilter::PassTilter(const PlanContext& context, const TiltOptions& options)
     input_.look_step = body_step(context.tool, options.chord);
 }
 
-TiltedPass PassTilter::run(const Pass& pass, const Progress& progress) const {
-    return tilted_where_held(input_, pass, progress);
+TiltedPass PassTilter::run(const Pass& pass, const Progress& progress, const TiltedStock* stock) const {
+    TiltInput input = input_;
+    input.stock = stock;
+    return tilted_where_held(input, pass, progress);
 }
 
 void check_tilt(const PlanContext& context, double limit) {
@@ -52,29 +57,39 @@ void check_tilt(const PlanContext& context, double limit) {
 void tilt_passes(StrategyResult& path, const OperationCommon& settings, const PlanContext& context,
                  const TiltOptions& options, const Progress& progress) {
     const PassTilter tilter(context, options);
-    std::vector<TiltedPass> tilted(path.passes.size());
-    parallel_for(tilted.size(), 1, progress.part(0, 0.9),
-                 [&](std::size_t i) { tilted[i] = tilter.run(path.passes[i], progress.part(0.9, 0.9)); });
-    path.passes.clear();
+    const double radius = CutterProfile(context.tool.cutter()).max_radius();
+    TiltedStock stock(stock_before(context, tilt_cell_share * radius, progress.part(0, 0.1)), context.tool,
+                      radius, 0);
+    const std::vector<Pass> upright = std::exchange(path.passes, {});
     TiltedPath own;
     own.lead_min = own.lead_max = 0;
     double lost = 0;
-    for (TiltedPass& t : tilted) {
-        lost += t.lost;
-        own.lead_max = std::max(own.lead_max, t.largest);
-        std::move(t.passes.begin(), t.passes.end(), std::back_inserter(path.passes));
+    // One after the other: what a pass has cut the next ones do not keep out of.
+    for (std::size_t i = 0; i < upright.size(); ++i) {
+        const Progress here = progress.part(0.1 + 0.8 * double(i) / double(upright.size()),
+                                            0.1 + 0.8 * double(i + 1) / double(upright.size()));
+        TiltedPass tilted = tilter.run(upright[i], here, &stock);
+        lost += tilted.lost;
+        own.lead_max = std::max(own.lead_max, tilted.largest);
+        for (Pass& pass : tilted.passes) {
+            for (std::size_t k = 1; k < pass.cl.size(); ++k)
+                stock.cut(pass.cl[k - 1], pass.cl[k]);
+            path.passes.push_back(std::move(pass));
+        }
+        here.set(1);
     }
     if (path.passes.empty())
         throw Error(
             ErrorCode::empty_result, settings.name,
-            "shank or holder would come into the part wherever the cutter could cut, however far it is "
-            "inclined within the tilt limit",
-            "use a longer tool, or allow a larger tilt limit");
+            "shank or holder would come into the part, or into what stands of the stock, wherever the "
+            "cutter could cut, however far it is inclined within the tilt limit",
+            "rough before it, use a longer tool, or allow a larger tilt limit");
     if (lost > options.chord)
-        path.warnings.push_back("no inclined tool that turns steadily is free along "
+        path.warnings.push_back("no inclined tool that turns steadily is free of the part, and of what "
+                                "stands of the stock, along "
                                 + PlanText{context.unit, context.to_setup}(lost)
-                                + " of the passes, which are left out: use a longer tool, or allow a larger "
-                                  "tilt limit");
+                                + " of the passes, which are left out: rough closer, use a longer tool, or "
+                                  "allow a larger tilt limit");
     own.record = tilted_record(path.passes, settings, context, options, progress.part(0.9, 1));
     path.detail = std::move(own);
 }

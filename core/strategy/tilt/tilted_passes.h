@@ -5,6 +5,9 @@
 // the ball. So passes, step-overs and what stays of the stock are those of the upright tool, whatever course
 // the passes take; only the axis is chosen anew (axis_tilt.h), from the postures at each place that keep
 // cutter, shank and holder clear, are inclined no farther than the limit, and are within the machine's reach.
+// What operations with an upright tool before it left standing is kept out of as well, as far as the passes
+// before have not cut it.
+//
 // The contact points and what was chosen there are kept as those of finish5 are, so that the configuration
 // space of each can be looked at.
 #pragma once
@@ -30,8 +33,9 @@ public:
     PassTilter(const PassTilter&) = delete;
     PassTilter& operator=(const PassTilter&) = delete;
 
-    /// What of an upright pass can be cut, inclined where shank or holder would touch. Any thread may ask.
-    TiltedPass run(const Pass& pass, const Progress& progress) const;
+    /// What of an upright pass can be cut, inclined where shank or holder would touch the part or, where it
+    /// is given, what stands of the stock. Any thread may ask.
+    TiltedPass run(const Pass& pass, const Progress& progress, const TiltedStock* stock = nullptr) const;
 
 private:
     ToolLift whole_;

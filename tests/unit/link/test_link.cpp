@@ -3,7 +3,7 @@
 #include "core/link/later_cuts.h"
 #include "core/link/link.h"
 #include "core/link/shank_in_stock.h"
-#include "core/link/tilted_stock.h"
+#include "core/strategy/tilt/tilted_stock.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/lathe/lathe_finish.h"
 #include "core/strategy/surface/stock_before.h"

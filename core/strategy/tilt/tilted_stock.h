@@ -2,7 +2,7 @@
 // coordinates.
 #pragma once
 
-#include "core/link/standing_columns.h"
+#include "core/strategy/tilt/standing_columns.h"
 
 #include <vector>
 
@@ -30,6 +30,9 @@ public:
     bool free_behind(const CutterLocation& at) const;
     /// Whether a body above the flutes surely holds stock there: the middle of a cell, with all about it.
     bool holds_shank(const CutterLocation& at) const;
+    /// Whether shank or holder may hold stock there. A body no wider than the cutter goes where that has cut,
+    /// and its cells have all of the wall beside it: it does where it surely does.
+    bool may_hold(const CutterLocation& at) const;
 
 private:
     struct Body {
@@ -40,7 +43,8 @@ private:
     StandingColumns columns_;
     double gap_ = 0, step_ = 0; ///< step_: of the places at which cuts take away what stands
     std::vector<AxisCylinder> inner_;
-    std::vector<Body> whole_, above_flutes_, behind_; // behind_: what has to be free on the way out
+    std::vector<Body> whole_, above_flutes_, narrow_, wide_,
+        behind_; // behind_: what has to be free on the way out
 };
 
 } // namespace facetmill

@@ -1,4 +1,4 @@
-#include "core/link/standing_columns.h"
+#include "core/strategy/tilt/standing_columns.h"
 
 #include "core/base/tolerances.h"
 

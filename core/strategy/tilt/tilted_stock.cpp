@@ -1,4 +1,4 @@
-#include "core/link/tilted_stock.h"
+#include "core/strategy/tilt/tilted_stock.h"
 
 #include "core/base/tolerances.h"
 
@@ -26,6 +26,8 @@ TiltedStock::TiltedStock(const StockField& field, const Tool& tool, double cutte
     add(tool.shank_diameter, tool.shank_length);
     for (const HolderSection& section : tool.holder)
         add(section.diameter, section.length);
+    for (const Body& b : above_flutes_)
+        (b.radius > cutter_radius ? wide_ : narrow_).push_back(b);
     whole_ = above_flutes_;
     for (const AxisCylinder& c : outer_cylinders(tool, field.cell()))
         whole_.push_back({c.radius, c.low});
@@ -44,6 +46,12 @@ bool TiltedStock::free_behind(const CutterLocation& at) const {
 bool TiltedStock::holds_shank(const CutterLocation& at) const {
     const double across = std::sqrt(2.0) * columns_.cell();
     return lift(at, above_flutes_, -across, across) > across;
+}
+
+bool TiltedStock::may_hold(const CutterLocation& at) const {
+    if (lift(at, wide_, gap_, 0) > 0) return true;
+    const double across = std::sqrt(2.0) * columns_.cell();
+    return lift(at, narrow_, -across, across) > across;
 }
 
 namespace {
