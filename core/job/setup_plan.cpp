@@ -222,6 +222,7 @@ VerifyProgram moved_program(const VerifyProgram& program, const SetupFrame& fram
         }
         moved.fixtures = std::move(fixtures);
     }
+    if (moved.seen_along) moved.seen_along = frame.turn * *moved.seen_along;
     moved.machine_turn = exact_turn(frame.turn * program.machine_turn);
     return moved;
 }

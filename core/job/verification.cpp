@@ -231,12 +231,13 @@ std::string uncut_reason_text(const UncutReason& reason) {
     return {};
 }
 
-/// What the operation of this name is not there for: how much it may leave on the part, and where another
-/// tool is to cut.
+/// What the operation of this name is not there for: how much it may leave on the part, where another tool is
+/// to cut, and what it does not look at.
 static void set_task(VerifyProgram& program, const Project& project, const std::string& name) {
     for (const auto& o : project.operations) {
         if (o->common().name != name) continue;
         program.leaves = o->left_on_purpose() + o->common().tolerance;
+        if (o->has("tilt_limit") && !o->keeps_axis()) program.seen_along = Vec3::UnitZ();
         // A clean-up that is not asked for what stands cuts what the tool before it cannot enter.
         const Operation::ReadsLeft left = o->reads_left();
         if (o->purpose() != Purpose::cleaning || left.any()) return;

@@ -373,6 +373,20 @@ std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Pr
     return axes;
 }
 
+std::vector<Vec3> looking_axes(std::span<const VerifyProgram> programs, const Progress& progress) {
+    std::vector<VerifyProgram> turning;
+    for (const VerifyProgram& program : programs)
+        if (!program.seen_along) turning.push_back(program);
+    std::vector<Vec3> axes = cutting_axes(turning, progress);
+    const double near = std::cos(radians(axis_degrees));
+    for (const VerifyProgram& program : programs)
+        if (program.seen_along && std::none_of(axes.begin(), axes.end(), [&](const Vec3& a) {
+                return a.dot(*program.seen_along) > near;
+            }))
+            axes.push_back(*program.seen_along);
+    return axes;
+}
+
 namespace {
 
 /// How far beside a wall its line of sight runs, in radii of the widest cutter.

@@ -37,6 +37,8 @@ SurfaceSamples sample_surface(const Mesh& part, double spacing, std::size_t most
 /// The axes of all motions that cut, merged within about 2 degrees, and more where they are many. Unit, in
 /// the order in which they come.
 std::vector<Vec3> cutting_axes(std::span<const VerifyProgram> programs, const Progress& progress);
+/// The same, but of programs that look along one axis alone (VerifyProgram::seen_along) that one.
+std::vector<Vec3> looking_axes(std::span<const VerifyProgram> programs, const Progress& progress);
 
 /// Sets the slopes, and the flags `border` (nearer than `cutter_radius` to an edge with one facet), `away`
 /// (steeper than any of `axes` reaches) and `hidden` (faces some of `axes`, and the part is in the way of

@@ -70,6 +70,10 @@ struct VerifyProgram {
     /// The cutter before it, of an operation that cuts no more than this cannot enter: what stands where it
     /// fits is for the operation that it belongs to. Only a reason why surface stays uncut is made of it.
     std::optional<AptCutter> beyond = {};
+    /// The one axis from which its operation looks at the part, where the tool leans for no other reason than
+    /// to keep shank and holder clear: what only a leaning tool sees is not asked for. None: all axes of its
+    /// motions.
+    std::optional<Vec3> seen_along = {};
     /// The feed of each motion, mm/min; empty: all at `feed`, of which 0 says that it is not known. For loads
     /// alone.
     std::vector<double> feeds = {};

@@ -268,7 +268,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
     const MeshPtr outward = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
     const Mesh& part = *outward;
     SurfaceSamples samples = samples_of(part, v.used, radii.min, progress.part(0.04, 0.08));
-    const std::vector<Vec3> axes = cutting_axes(programs, progress);
+    const std::vector<Vec3> axes = looking_axes(programs, progress);
     const MeshSight sight(part, progress);
     flag_samples(samples, part, sight, radii.max, axes, progress.part(0.08, 0.15));
     ProbeAims aims;

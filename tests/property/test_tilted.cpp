@@ -259,6 +259,27 @@ private slots:
             QVERIFY2(c.kind != Collision::Kind::holder, "the holder comes into the stock");
     }
 
+    /// A tool that leans sees the sides of a box, which nobody asked it for.
+    void what_only_a_leaning_tool_sees_is_not_asked_for() {
+        const Mesh part = box(Vec3(0, 0, 0), Vec3(20, 20, 10));
+        const PlanContext context = five_axis_context(part, long_six());
+        ToolMotions motions;
+        const Vec3 axis = Vec3(std::sin(radians(30)), 0, std::cos(radians(30)));
+        for (const double y : {2.0, 18.0})
+            motions.motions.push_back({MotionKind::cut, {Vec3(10, y, 10.5), axis}, 0, 0});
+        VerifyProgram program{"F", VerifyTool(context.tool), std::make_shared<ToolMotions>(motions), {}};
+        VerifySettings s;
+        s.resolution = s.sample_spacing = 1;
+        s.tolerance = tilted_tau;
+        StockSolid stock;
+        stock.box = context.stock_box;
+        const double leaning = verify(part, stock, {&program, 1}, s, Progress()).figures.area;
+        program.seen_along = Vec3::UnitZ();
+        const double upright = verify(part, stock, {&program, 1}, s, Progress()).figures.area;
+        QVERIFY2(std::abs(upright - 400) < 60 && leaning > upright + 100,
+                 qPrintable(QString("%1 %2").arg(upright).arg(leaning)));
+    }
+
     void only_balls_are_inclined() {
         const Mesh part = floor_between_walls();
         for (const char* kind : {"finish3", "waterline", "scallop", "radial"}) {
