@@ -117,6 +117,18 @@ ToolMotions linked_tilted(const StrategyResult& path, const PlanContext& context
                           default_link_options(path, context, op.common()), Progress());
 }
 
+Verification judged_tilted(const Mesh& part, const PlanContext& context, const ToolMotions& motions,
+                           double chord) {
+    VerifySettings s;
+    s.resolution = s.sample_spacing = 0.8;
+    s.tolerance = tilted_tau;
+    s.gouge_limit = chord;
+    StockSolid stock;
+    stock.box = context.stock_box;
+    const VerifyProgram program{"F", VerifyTool(context.tool), std::make_shared<ToolMotions>(motions), {}};
+    return verify(part, stock, {&program, 1}, s, Progress());
+}
+
 std::vector<NaiveBarrel> tilted_barrels(const Tool& tool) {
     std::vector<NaiveBarrel> barrels;
     double at = tool.flute_length;
@@ -177,14 +189,14 @@ private slots:
                 QVERIFY(std::acos(std::min(c.axis.z(), 1.0)) <= tilted_limit + 1e-9);
 
         const ToolMotions motions = linked_tilted(path, with_short, *op);
-        const Verification v = judged(part, with_short, motions, tilted_tau, path.chord_tolerance);
+        const Verification v = judged_tilted(part, with_short, motions, path.chord_tolerance);
         QVERIFY2(!v.gouged(), qPrintable(QString::number(std::max(v.figures.gouge_max, v.border.gouge_max))));
         for (const Collision& c : v.collisions)
             QVERIFY2(!c.with_part, "shank or holder meets the part");
         const NaiveProgram naive{with_short.tool.cutter(), motions.motions, tilted_barrels(with_short.tool)};
         const NaiveResult second =
             naive_check(part, {&naive, 1},
-                        {.spacing = 1.5, .tolerance = tilted_tau, .stock = part.box(), .pose_share = 0.1});
+                        {.spacing = 2, .tolerance = tilted_tau, .stock = part.box(), .pose_share = 0.1});
         QVERIFY2(second.gouge_max <= path.chord_tolerance, qPrintable(QString::number(second.gouge_max)));
     }
 
@@ -254,7 +266,7 @@ private slots:
             told = told || w.find("what stands of the stock") != std::string::npos;
         QVERIFY(told);
         const Verification v =
-            judged(part, block, linked_tilted(path, block, *op), tilted_tau, path.chord_tolerance);
+            judged_tilted(part, block, linked_tilted(path, block, *op), path.chord_tolerance);
         for (const Collision& c : v.collisions)
             QVERIFY2(c.kind != Collision::Kind::holder, "the holder comes into the stock");
     }
