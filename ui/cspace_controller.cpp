@@ -205,15 +205,13 @@ QString CSpaceController::heading() const {
 
 void CSpaceController::show_tool(const std::optional<PostureValue>& posture, const QString& what) {
     const ContactPlace& place = record_->points[*at_].place;
-    QString line = heading();
-    if (posture)
-        line += tr("   %1: lead %2, yaw %3, lift %4")
-                    .arg(what, posture_angle_text(posture->lead), posture_angle_text(posture->yaw),
-                         lift_text(posture->delta, document_.unit()));
-    else
-        line += QStringLiteral("   ") + what;
+    const QString said =
+        posture ? tr("%1: lead %2, yaw %3, lift %4")
+                      .arg(what, posture_angle_text(posture->lead), posture_angle_text(posture->yaw),
+                           lift_text(posture->delta, document_.unit()))
+                : what;
     emit tool_wanted(result_, posture ? std::optional(pose(*posture)) : std::nullopt,
-                     Marker{place.surface, place.frame.normal}, line);
+                     Marker{place.surface, place.frame.normal}, {heading(), said});
 }
 
 void CSpaceController::panel_seen(bool seen) {

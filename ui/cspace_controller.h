@@ -67,7 +67,7 @@ signals:
     /// The tool of a program belongs here, at a contact; no pose: the point is left to clean-up.
     void tool_wanted(const std::shared_ptr<const facetmill::OperationResult>& program,
                      const std::optional<facetmill::CutterLocation>& pose, const facetmill::Marker& contact,
-                     const QString& readout);
+                     const QStringList& readout);
 
 private:
     QString export_name() const;

@@ -9,9 +9,25 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
-void ElidedLabel::set_text(const QString& text) {
+void ElidedLabel::set_text(const QString& text, const QStringList& shorter) {
+    shorter_ = shorter;
     setText(text);
     setToolTip(text);
+    update(); // the shorter ones may be other ones
+}
+
+QRect ElidedLabel::text_area() const {
+    return contentsRect().adjusted(std::max(0, indent()), 0, 0, 0);
+}
+
+QString ElidedLabel::shown_text() const {
+    const int room = text_area().width();
+    QString said = text();
+    for (const QString& each : shorter_) {
+        if (fontMetrics().horizontalAdvance(said) <= room) break;
+        said = each;
+    }
+    return fontMetrics().elidedText(said, mode_, room);
 }
 
 void ElidedLabel::set_elide_mode(Qt::TextElideMode mode) {
@@ -25,9 +41,8 @@ QSize ElidedLabel::minimumSizeHint() const {
 
 void ElidedLabel::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const QRect area = contentsRect().adjusted(std::max(0, indent()), 0, 0, 0);
     painter.setPen(palette().color(foregroundRole()));
-    painter.drawText(area, int(alignment()), fontMetrics().elidedText(text(), mode_, area.width()));
+    painter.drawText(text_area(), int(alignment()), shown_text());
 }
 
 } // namespace facetmill::ui

@@ -107,14 +107,22 @@ void StatusLine::show_cancelling() {
     activity_->setText(tr("Cancelling…"));
 }
 
-void StatusLine::set_readout(const QString& readout) {
-    readout_text_ = readout;
-    readout_->set_text(readout);
+void StatusLine::set_readout(const QStringList& parts) {
+    readout_parts_ = parts;
+    show_readout();
+}
+
+void StatusLine::show_readout() {
+    const auto from = [&](qsizetype first) { return readout_parts_.mid(first).join(QStringLiteral("   ")); };
+    QStringList shorter;
+    for (qsizetype first = 1; first < readout_parts_.size(); ++first)
+        shorter << from(first);
+    readout_->set_text(from(0), shorter);
 }
 
 void StatusLine::set_hovered(const std::optional<PartPick>& pick) {
     if (!pick) {
-        readout_->set_text(readout_text_);
+        show_readout();
         return;
     }
     Vec3 zero = Vec3::Zero(); // places are told as the control tells them

@@ -30,8 +30,9 @@ public:
     /// Follows a job; `cancel` is the action of the button beside its progress.
     void follow(const BackgroundJob& job, QAction* cancel);
 
-    /// Where the tool is; empty: there is none.
-    void set_readout(const QString& readout);
+    /// Where the tool is, said in parts: those that come first go first where there is no room for all.
+    /// Empty: there is none.
+    void set_readout(const QStringList& parts);
     /// The point under the pointer goes before it; none: the pointer has left the part.
     void set_hovered(const std::optional<PartPick>& pick);
     void show_cancelling();
@@ -43,6 +44,7 @@ signals:
 
 private:
     void show_time_left(double fraction);
+    void show_readout();
 
     const Document& document_;
     QStatusBar* bar_ = nullptr;
@@ -51,7 +53,7 @@ private:
     ElidedLabel* readout_ = nullptr;
     QToolButton* cancel_button_ = nullptr;
     QComboBox* unit_box_ = nullptr;
-    QString readout_text_;
+    QStringList readout_parts_;
     QElapsedTimer since_; ///< the job began
 };
 

@@ -23,7 +23,7 @@ ToolController::ToolController(Document& document, Viewport& viewport, const Pat
     : Controller(window), document_(document), viewport_(viewport), paths_(paths),
       verification_(verification), status_(status) {
     connect(&paths_, &PathController::replaced, this, &ToolController::hide);
-    connect(&verification_, &VerificationController::tool_moved, this, [this](const QString& readout) {
+    connect(&verification_, &VerificationController::tool_moved, this, [this](const QStringList& readout) {
         status_.set_readout(readout);
         leave_touch();
         emit settled();
@@ -66,7 +66,7 @@ void ToolController::show_at(const PathPick& pick) {
     emit at_place(pick.source, shown().motion_of(pick), 1);
 }
 
-QString ToolController::readout_of(const PathPick& pick) const {
+QStringList ToolController::readout_of(const PathPick& pick) const {
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
     const auto number = [&](double v) { return in_user_numbers(QString::number(v / mm, 'f', digits)); };
@@ -75,19 +75,16 @@ QString ToolController::readout_of(const PathPick& pick) const {
     };
     const QString unit = text(unit_name(document_.unit())), tip = place(pick.location.tip);
     const auto& program = shown().programs()[pick.source];
-    QString readout = text(program->name);
+    QString name = text(program->name);
     if (const auto operation = document_.index_of(shown().ids()[pick.source]);
         operation
         && program == document_.result(*operation)) // else a further program of it, or an opened one
-        readout = text(document_.operation(*operation).common().name);
-    readout = elided(readout, shown_operation);
+        name = text(document_.operation(*operation).common().name);
+    QStringList parts{elided(name, shown_operation)};
     if (const CutterContact* cc = shown().contact_of(pick))
-        return readout
-               + tr("   pass %1, point %2   CC %3   CL %4 %5")
-                     .arg(pick.pass + 1)
-                     .arg(pick.point + 1)
-                     .arg(place(cc->point), tip, unit);
-    return readout + tr("   CL %1 %2").arg(tip, unit);
+        parts << tr("pass %1, point %2").arg(pick.pass + 1).arg(pick.point + 1)
+              << QStringLiteral("CC %1").arg(place(cc->point));
+    return parts << QStringLiteral("CL %1 %2").arg(tip, unit);
 }
 
 void ToolController::show_motion(std::size_t source, std::size_t motion) {
@@ -120,7 +117,7 @@ void ToolController::paths_redrawn(const std::vector<PathSource>& sources, bool 
 
 void ToolController::show_pose(const std::shared_ptr<const OperationResult>& program,
                                const std::optional<CutterLocation>& pose, const Marker& contact,
-                               const QString& readout) {
+                               const QStringList& readout) {
     const auto source = shown().source_of(program);
     if (!source || !shown().place_of(*source)) return;
     Scene& scene = viewport_.scene();

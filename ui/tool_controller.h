@@ -27,7 +27,8 @@ public:
     void step(int by);
     /// The tool of a program at any pose over a contact; no pose: the contact alone.
     void show_pose(const std::shared_ptr<const OperationResult>& program,
-                   const std::optional<CutterLocation>& pose, const Marker& contact, const QString& readout);
+                   const std::optional<CutterLocation>& pose, const Marker& contact,
+                   const QStringList& readout);
     /// The tool that cut before, where it touches the part at two places; then the one shown before it again.
     void show_touch(const Tool& tool, const CleanupRecord::Touch& touch);
     void end_touch();
@@ -50,7 +51,8 @@ private:
     void leave_touch();
     void follow_playback();
     void show_start();
-    QString readout_of(const PathPick& pick) const;
+    /// In parts, as the status line has them.
+    QStringList readout_of(const PathPick& pick) const;
     const ShownPaths& shown() const;
 
     Document& document_;

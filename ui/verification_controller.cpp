@@ -277,11 +277,10 @@ void VerificationController::show_playback() {
     const double mm = mm_per(document_.unit());
     const int digits = document_.unit() == LengthUnit::inch ? 4 : 3;
     const auto number = [&](double v) { return in_user_numbers(QString::number(v / mm, 'f', digits)); };
-    emit tool_moved(tr("%1   GOTO %2   CL %3, %4, %5 %6")
-                        .arg(text(track.operation(at.program).name))
-                        .arg(at.motion + 1)
-                        .arg(number(tool.tip.x()), number(tool.tip.y()), number(tool.tip.z()),
-                             text(unit_name(document_.unit()))));
+    emit tool_moved({text(track.operation(at.program).name), QStringLiteral("GOTO %1").arg(at.motion + 1),
+                     QStringLiteral("CL %1 %2")
+                         .arg(number_list({number(tool.tip.x()), number(tool.tip.y()), number(tool.tip.z())}),
+                              text(unit_name(document_.unit())))});
 }
 
 void VerificationController::show_stock_after(std::size_t operation) {

@@ -69,7 +69,7 @@ signals:
     /// A finding is by this operation: its path should be seen.
     void operation_meant(int id);
     /// Where the tool is, for the status line.
-    void tool_moved(const QString& readout);
+    void tool_moved(const QStringList& readout);
 
 private:
     void follow_plan();

@@ -10835,18 +10835,6 @@
         <translation>   %1 zum vorherigen</translation>
     </message>
     <message>
-        <source>   %1: lead %2, yaw %3, lift %4</source>
-        <translation>   %1: Anstellwinkel %2, Taumelwinkel %3, Abhub %4</translation>
-    </message>
-    <message>
-        <source>   CL %1 %2</source>
-        <translation>   CL %1 %2</translation>
-    </message>
-    <message>
-        <source>   pass %1, point %2   CC %3   CL %4 %5</source>
-        <translation>   Bahn %1, Punkt %2   CC %3   CL %4 %5</translation>
-    </message>
-    <message>
         <source> (%1 to %2)</source>
         <translation> (%1 bis %2)</translation>
     </message>
@@ -10857,10 +10845,6 @@
     <message>
         <source> s</source>
         <translation> s</translation>
-    </message>
-    <message>
-        <source>%1   GOTO %2   CL %3, %4, %5 %6</source>
-        <translation>%1   GOTO %2   CL %3; %4; %5 %6</translation>
     </message>
     <message>
         <source>%1 % of the surface</source>
@@ -11157,6 +11141,10 @@
     <message>
         <source>%1: a region that operations cut within or keep off</source>
         <translation>%1: ein Bereich, in dem Operationen fräsen oder den sie meiden</translation>
+    </message>
+    <message>
+        <source>%1: lead %2, yaw %3, lift %4</source>
+        <translation>%1: Anstellwinkel %2, Taumelwinkel %3, Abhub %4</translation>
     </message>
     <message>
         <source>%1: machine and stock</source>
@@ -16990,6 +16978,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>plan</source>
         <translation>planen</translation>
+    </message>
+    <message>
+        <source>pass %1, point %2</source>
+        <translation>Bahn %1, Punkt %2</translation>
     </message>
     <message>
         <source>planned</source>

@@ -10835,18 +10835,6 @@
         <translation>   %1 jusqu'au précédent</translation>
     </message>
     <message>
-        <source>   %1: lead %2, yaw %3, lift %4</source>
-        <translation>   %1 : attaque %2, lacet %3, levée %4</translation>
-    </message>
-    <message>
-        <source>   CL %1 %2</source>
-        <translation>   CL %1 %2</translation>
-    </message>
-    <message>
-        <source>   pass %1, point %2   CC %3   CL %4 %5</source>
-        <translation>   passe %1, point %2   CC %3   CL %4 %5</translation>
-    </message>
-    <message>
         <source> (%1 to %2)</source>
         <translation> (de %1 à %2)</translation>
     </message>
@@ -10857,10 +10845,6 @@
     <message>
         <source> s</source>
         <translation> s</translation>
-    </message>
-    <message>
-        <source>%1   GOTO %2   CL %3, %4, %5 %6</source>
-        <translation>%1   GOTO %2   CL %3; %4; %5 %6</translation>
     </message>
     <message>
         <source>%1 % of the surface</source>
@@ -11157,6 +11141,10 @@
     <message>
         <source>%1: a region that operations cut within or keep off</source>
         <translation>%1 : une zone où les opérations usinent ou qu'elles évitent</translation>
+    </message>
+    <message>
+        <source>%1: lead %2, yaw %3, lift %4</source>
+        <translation>%1 : attaque %2, lacet %3, levée %4</translation>
     </message>
     <message>
         <source>%1: machine and stock</source>
@@ -16988,6 +16976,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>plan</source>
         <translation>planifier</translation>
+    </message>
+    <message>
+        <source>pass %1, point %2</source>
+        <translation>passe %1, point %2</translation>
     </message>
     <message>
         <source>planned</source>

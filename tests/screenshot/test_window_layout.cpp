@@ -171,6 +171,34 @@ private slots:
         QVERIFY(std::abs(wide_after(1920) - own) <= 2);
     }
 
+    /// In a small window the status line leaves out its first parts, and no word from within.
+    void the_status_line_loses_no_word() {
+        QVERIFY(show_window());
+        w().resize(800, 600);
+        QVERIFY(open_and_plan());
+        enter(w(), "name", QStringLiteral("Finish of all that is curved"));
+        auto* readout = w().findChild<ui::ElidedLabel*>(QStringLiteral("readout"));
+        QVERIFY(readout && readout->isVisible());
+        const auto at_contact = [&] { return readout->text().contains(QStringLiteral("CC ")); };
+        for (int i = 0; i < 40 && !at_contact(); ++i)
+            QTest::keyClick(&w().viewport(), Qt::Key_Right);
+        QVERIFY2(at_contact(), qPrintable(readout->text()));
+        for (const int width : {800, 1600}) {
+            w().resize(width, 600);
+            (void)QTest::qWaitFor([&] { return w().width() == width; }, 2000);
+            QTest::qWait(30);
+            const QString shown = readout->shown_text();
+            QVERIFY2(!shown.contains(QChar(0x2026)) && readout->text().endsWith(shown), qPrintable(shown));
+            for (const char* part : {"pass 1", "CC ", "CL ", " in"})
+                QVERIFY2(shown.contains(QLatin1String(part)), qPrintable(shown));
+            if (width > 800) QCOMPARE(shown, readout->text());
+        }
+        readout->set_text(QStringLiteral("Words that nobody has room for, and more and more of them"),
+                          {QStringLiteral("Some that there is none for either, as it is so small"), "Few"});
+        readout->setFixedWidth(60);
+        QCOMPARE(readout->shown_text(), QStringLiteral("Few"));
+    }
+
     void a_silly_figure_is_found() {
         for (const char* silly : {"0.00000608 % of it", "by 0,000001 mm", "-1.2e-16", "up to 3e-07 in"})
             QVERIFY2(has_silly_figure(QLatin1String(silly)), silly);
