@@ -173,11 +173,11 @@ void AdvicePage::fill_chart() {
     const StrategyEstimate& best = advice_->best;
     const StrategyEstimate* own = least(advice_->by_lead);
     suggestion_->setText(
-        tr("Least by this estimate: lead limit %1 with this tool, %2; of all tools D %3 with "
-           "%4, %5.")
-            .arg(advice_angle(own->lead_limit), duration_text(own->seconds()),
-                 shown_length(best.diameter, unit_, 3), advice_angle(best.lead_limit),
-                 duration_text(best.seconds())));
+        kept_together(tr("Least by this estimate: lead limit %1 with this tool, %2; of all tools D %3 with "
+                         "%4, %5.")
+                          .arg(advice_angle(own->lead_limit), duration_text(own->seconds()),
+                               shown_length(best.diameter, unit_, 3), advice_angle(best.lead_limit),
+                               duration_text(best.seconds()))));
     suggestion_->setToolTip(
         std::isfinite(advice_->diameter)
             ? tr("By Wang's (1) a tool of up to D %1 matches all but 5 % of the hollow places at this limit.")
@@ -206,9 +206,9 @@ void AdvicePage::show_cursor() {
     for (std::size_t i = 1; i < x.size(); ++i)
         if (std::abs(x[i] - *plot_->cursor()) < std::abs(x[nearest] - *plot_->cursor())) nearest = i;
     const StrategyEstimate& e = all[nearest];
-    readout_->setText((over_lead() ? tr("At %1: ").arg(advice_angle(e.lead_limit))
-                                   : tr("With D %1: ").arg(shown_length(e.diameter, unit_, 4)))
-                      + estimate_text(e));
+    readout_->setText(kept_together((over_lead() ? tr("At %1: ").arg(advice_angle(e.lead_limit))
+                                                 : tr("With D %1: ").arg(shown_length(e.diameter, unit_, 4)))
+                                    + estimate_text(e)));
 }
 
 } // namespace facetmill::ui

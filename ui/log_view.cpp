@@ -1,9 +1,9 @@
 #include "ui/log_view.h"
 
+#include "ui/text.h"
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTime>
 
@@ -12,13 +12,6 @@ namespace facetmill::ui {
 namespace {
 
 constexpr int max_entries = 5000;
-
-/// A number stays on a line with its sign for percent or degrees, or its unit.
-QString unbroken(QString line) {
-    static const QRegularExpression gap(
-        QStringLiteral("(?<=\\d) (?=(?:[%°²³×]|mm|in|cm|m|ft|s|min|h)(?!\\w))"));
-    return line.replace(gap, QString(QChar::Nbsp));
-}
 
 } // namespace
 
@@ -48,7 +41,7 @@ void LogView::append(const Entry& entry) {
                                                                    : palette().color(QPalette::Text);
     appendHtml(
         QStringLiteral("<span style=\"color:%1\">%2&nbsp;&nbsp;</span><span style=\"color:%3\">%4</span>")
-            .arg(signal.quiet.name(), entry.time, color.name(), unbroken(entry.line).toHtmlEscaped()));
+            .arg(signal.quiet.name(), entry.time, color.name(), kept_together(entry.line).toHtmlEscaped()));
 }
 
 void LogView::changeEvent(QEvent* event) {

@@ -77,7 +77,7 @@ void MessageBar::show_message(Kind kind, const QString& message) {
     kind_ = kind;
     message_ = message;
     const QString shown = with_short_words(message);
-    text_->setText(shown);
+    text_->setText(kept_together(shown));
     text_->setToolTip(shown == message ? QString() : message);
     offer({});
     color();

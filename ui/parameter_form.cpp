@@ -394,7 +394,7 @@ void ParameterForm::set_remarks(const std::map<std::string, QString>& remarks) {
 void ParameterForm::show_error(Row& row, const QString& message, bool invalid) {
     const bool was_valid = valid();
     row.invalid = invalid;
-    row.error->setText(message);
+    row.error->setText(kept_together(message));
     row.error->setVisible(!message.isEmpty());
     QPalette palette = row.error->palette();
     palette.setColor(QPalette::WindowText, signal_colors(this->palette()).bad);
@@ -408,7 +408,7 @@ QString ParameterForm::help_of(const Row& row) const {
 }
 
 void ParameterForm::show_help(const Row* row) {
-    help_->setText(row ? help_of(*row) : QString());
+    help_->setText(row ? kept_together(help_of(*row)) : QString());
 }
 
 ParameterForm::Row* ParameterForm::row_of(const QObject* widget) {

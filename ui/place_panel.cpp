@@ -306,7 +306,7 @@ void PlacePanel::want_zero() {
 }
 
 void PlacePanel::show_zero(const ShownZero& zero) {
-    zero_text_->setText(zero.text);
+    zero_text_->setText(kept_together(zero.text));
     for (int i = 0; i < 9; ++i) {
         QToolButton* spot = zero_spots_[std::size_t(i)];
         const int column = i % 3 - 1, row = i / 3 - 1;
@@ -336,9 +336,9 @@ void PlacePanel::show_box(const Box3& box, LengthUnit unit, double scale) {
     if (box.empty()) return size_->setText(tr("No part has been read."));
     const Vec3 s = box.size();
     const double size[3] = {s.x(), s.y(), s.z()};
-    size_->setText(scale == 1
-                       ? tr("Size: %1").arg(size_text(size, unit, 5))
-                       : tr("Size: %1, scaled by %2").arg(size_text(size, unit, 5), number_text(scale, 6)));
+    const QString said = size_text(size, unit, 5);
+    size_->setText(kept_together(scale == 1 ? tr("Size: %1").arg(said)
+                                            : tr("Size: %1, scaled by %2").arg(said, number_text(scale, 6))));
     QString rows;
     const auto number = [&](double mm) { return position_text(mm, unit); };
     for (int k = 0; k < 3; ++k)
@@ -376,7 +376,7 @@ void PlacePanel::fill(const std::vector<LyingFace>& faces, LengthUnit unit, cons
             }
         }
     }
-    note_->setText(note);
+    note_->setText(kept_together(note));
     note_->setVisible(!note.isEmpty());
     lay_->setEnabled(false);
 }

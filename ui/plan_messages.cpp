@@ -46,7 +46,7 @@ bool may_plan(const QStringList& large, QWidget* window) {
     QMessageBox box(QMessageBox::Question, tr("Plan that much?"),
                     tr("This is more work than usual: a tolerance or a step-over may be too small."),
                     QMessageBox::Cancel, window);
-    box.setInformativeText(large.join(QChar('\n')));
+    box.setInformativeText(kept_together(large.join(QChar('\n'))));
     const QAbstractButton* go_on = box.addButton(tr("Plan anyway"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();

@@ -105,7 +105,7 @@ bool ProgramExport::may_export() {
     const QString doubt = verification_.doubt();
     if (doubt.isEmpty()) return true;
     const DoubtWords words = words_of_doubt(verification_.model().verdict());
-    QMessageBox box(QMessageBox::Warning, words.question, doubt, QMessageBox::Cancel, window_);
+    QMessageBox box(QMessageBox::Warning, words.question, kept_together(doubt), QMessageBox::Cancel, window_);
     box.setInformativeText(words.advice);
     QPushButton* verify_first =
         words.verify.isEmpty() ? nullptr : box.addButton(words.verify, QMessageBox::AcceptRole);

@@ -646,7 +646,7 @@ void PropertiesPanel::show_boxes() {
 void PropertiesPanel::show_head(const QString& title, const QString& hint, bool alarm) {
     title_->set_text(title);
     title_->setVisible(!title.isEmpty());
-    hint_->setText(hint);
+    hint_->setText(kept_together(hint));
     hint_->setForegroundRole(alarm ? QPalette::WindowText : QPalette::PlaceholderText);
     QPalette shades = palette();
     if (alarm) shades.setColor(QPalette::WindowText, signal_colors(shades).bad);

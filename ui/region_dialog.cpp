@@ -131,8 +131,8 @@ void RegionDialog::show_settings(const Operation& operation, LengthUnit unit,
 
 void RegionDialog::show_regions(const std::vector<ReworkRegion>& regions, const QString& status) {
     regions_->show_regions(regions);
-    told_ = status;
-    status_->setText(status);
+    told_ = kept_together(status);
+    status_->setText(told_);
 }
 
 void RegionDialog::show_no_regions(const QString& why) {
@@ -149,10 +149,10 @@ void RegionDialog::show_problem(const std::string& key, const QString& message) 
         std::any_of(std::begin(keys), std::end(keys), [&](const char* k) { return key == k; });
     if (in_form && !message.isEmpty()) {
         marked_ = key;
-        marked_with_ = message;
         form_->set_error(key, message);
+        marked_with_ = form_->error(key);
     }
-    problem_->setText(in_form ? QString() : message);
+    problem_->setText(in_form ? QString() : kept_together(message));
     problem_->setVisible(!in_form && !message.isEmpty());
 }
 

@@ -153,7 +153,7 @@ void RegionPage::show_no_regions(const QString& why) {
     table_->setRowCount(0);
     filling_ = false;
     grown_.clear();
-    none_->setText(why);
+    none_->setText(kept_together(why));
     stack_->setCurrentWidget(none_);
     update_buttons();
 }

@@ -117,6 +117,7 @@ void ReportView::refresh() {
     } else {
         html = part_html();
     }
+    html = kept_together(html);
     // Most of what it is told of changes nothing here, and laying it out is dear.
     if (html == shown_) return;
     shown_ = html;

@@ -57,7 +57,7 @@ QPushButton* push_button(const QString& label, const QString& tip, const char* n
 
 /// No room is kept for one that says nothing.
 void show_text(QLabel* label, const QString& words) {
-    label->setText(words);
+    label->setText(kept_together(words));
     label->setVisible(!words.isEmpty());
 }
 

@@ -338,7 +338,7 @@ void StripController::show_touch() {
     } else if (listed_) {
         words = tr("Click on a strip, here or in the view.");
     }
-    panel_->readout()->setText(words);
+    panel_->readout()->setText(kept_together(words));
     const bool wanted = touch && panel_->isVisible() && panel_->touch_box()->isChecked() && !tool_left_;
     if (wanted) {
         touch_shown_ = true;

@@ -195,7 +195,7 @@ QTreeWidgetItem* StripPanel::item_of(std::size_t strip) const {
 }
 
 void StripPanel::set_empty_text(const QString& text) {
-    empty_->setText(text);
+    empty_->setText(kept_together(text));
     pages_->setCurrentIndex(text.isEmpty() ? 1 : 0);
 }
 

@@ -237,12 +237,12 @@ void StudyDialog::choose(std::optional<std::size_t> candidate) {
 }
 
 void StudyDialog::show_question(const QString& html) {
-    asked_->setHtml(html);
+    asked_->setHtml(kept_together(html));
     question_->setCurrentIndex(html.isEmpty() ? 0 : 1);
 }
 
 void StudyDialog::show_status(const QString& words, bool alarm) {
-    status_->setText(words);
+    status_->setText(kept_together(words));
     QPalette colors = palette();
     if (alarm) colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
     status_->setPalette(colors);

@@ -294,7 +294,7 @@ void StudyForm::fill_measures() {
 }
 
 void StudyForm::show_estimate(const QString& words, bool alarm) {
-    estimate_->setText(words);
+    estimate_->setText(kept_together(words));
     QPalette colors = palette();
     if (alarm) colors.setColor(QPalette::WindowText, signal_colors(palette()).bad);
     estimate_->setPalette(colors);

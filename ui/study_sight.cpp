@@ -302,7 +302,7 @@ void StudySight::write_report() {
             fact(measure_head(m, figures_->unit), words, quiet, most && *value > *most ? signal.bad : ink);
     }
     html += QStringLiteral("</table>") + operations_html();
-    report_->setHtml(html);
+    report_->setHtml(kept_together(html));
 }
 
 QString StudySight::operations_html() const {

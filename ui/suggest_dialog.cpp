@@ -1,5 +1,7 @@
 #include "ui/suggest_dialog.h"
 
+#include "ui/text.h"
+
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -19,7 +21,7 @@ namespace {
 constexpr QSize card_picture(120, 65);
 
 QLabel* wrapped(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
+    auto* label = new QLabel(kept_together(text), parent);
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -64,7 +66,7 @@ SuggestDialog::SuggestDialog(QWidget* parent) : QDialog(parent) {
 }
 
 void SuggestDialog::show_status(const QString& words) {
-    status_->setText(words);
+    status_->setText(kept_together(words));
 }
 
 QString SuggestDialog::status() const {

@@ -176,6 +176,12 @@ QString with_lengths_in(const QString& message, LengthUnit unit) {
     return result + message.mid(from);
 }
 
+QString kept_together(const QString& text) {
+    static const QRegularExpression gap(
+        QStringLiteral("(?<=\\d) (?=(?:[%°²³×]|mm|cm|m|in|ft|s|min|h|rpm|U/min|tr/min|[kMG]B)(?!\\w))"));
+    return QString(text).replace(gap, QChar(0x00A0));
+}
+
 QString sentence(const QString& text) {
     if (text.isEmpty()) return text;
     return text.left(1).toUpper() + text.mid(1);

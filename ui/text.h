@@ -74,6 +74,9 @@ QString said_of(const QString& what, const QString& said);
 /// Messages of core name lengths in millimetres ("1.5 mm"); the same message with them in the unit of the
 /// project.
 QString with_lengths_in(const QString& message, LengthUnit unit);
+/// A sentence for a widget that breaks lines, or HTML for it: a number stays in one line with its unit. Texts
+/// that files and other programs get keep their plain spaces.
+QString kept_together(const QString& text);
 /// First letter in upper case: messages of core begin in lower case.
 QString sentence(const QString& text);
 /// "What is wrong: what to do about it", without a full stop.

@@ -261,7 +261,7 @@ void ToolDialog::validate() {
     else if (!marked_.empty())
         form_->set_error(marked_, check_message_);
     const QString why = problem();
-    problem_->setText(why.isEmpty() ? holder_remark() : why);
+    problem_->setText(kept_together(why.isEmpty() ? holder_remark() : why));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText,
                     why.isEmpty() ? signal_colors(palette()).quiet : signal_colors(palette()).bad);

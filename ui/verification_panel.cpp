@@ -188,12 +188,12 @@ void VerificationPanel::go_on() {
 }
 
 void VerificationPanel::show_figures() {
-    figures_->setText(figures_html());
+    figures_->setText(kept_together(figures_html()));
     QString remarks;
     for (const std::string& r : model_.verification().remarks)
         remarks += QStringLiteral("<p style=\"margin:2px 0\">%1</p>")
                        .arg(with_lengths_in(sentence(worded(r)), document_.unit()).toHtmlEscaped());
-    remarks_->setText(remarks);
+    remarks_->setText(kept_together(remarks));
     remarks_->setVisible(!remarks.isEmpty());
 }
 
@@ -232,7 +232,6 @@ void VerificationPanel::show_verdict() {
     case Verdict::not_judged:
         which = Icon::verify_stale;
         color = signal.attention;
-        line = tr("Cannot be judged");
         note = sentence(model_.failure_text());
         break;
     case Verdict::stale:
@@ -247,14 +246,14 @@ void VerificationPanel::show_verdict() {
         note += (note.isEmpty() ? QString() : QStringLiteral(" "))
                 + tr("This setup alone was judged, not the whole job.");
     icon_->setPixmap(icon(which).pixmap(20, 20));
-    verdict_->setText(line);
+    verdict_->setText(kept_together(line));
     QFont bold = font();
     bold.setBold(true);
     verdict_->setFont(bold);
     QPalette colored = palette();
     colored.setColor(QPalette::WindowText, color);
     verdict_->setPalette(colored);
-    note_->setText(note);
+    note_->setText(kept_together(note));
     note_->setVisible(!note.isEmpty());
     show_advised(*advised_, advised_button(advice_));
     verify_->setVisible(verdict == Verdict::none || verdict == Verdict::stale);

@@ -1,6 +1,7 @@
 #include "tests/screenshot/cut_texts.h"
 
 #include "ui/elided_label.h"
+#include "ui/help_browser.h"
 #include "ui/whole_text.h"
 
 #include <QAbstractButton>
@@ -14,10 +15,13 @@
 #include <QLayout>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabBar>
 #include <QTextDocument>
+#include <QTextEdit>
 #include <QToolButton>
 #include <QToolTip>
 #include <QTreeWidget>
@@ -225,6 +229,26 @@ QStringList cut_texts(const QWidget& window) {
     for (const QWidget* w : window.findChildren<const QWidget*>())
         if (w->isVisible() && w->window() == &window && !w->visibleRegion().isEmpty()) found << look_at(*w);
     found.removeDuplicates();
+    return found;
+}
+
+QStringList parted_numbers(const QWidget& window) {
+    static const QRegularExpression parted(QStringLiteral("\\d (?:%|(?:mm|in|s|min|h|rpm)\\b)"));
+    QStringList found;
+    const auto look = [&](const QString& words) {
+        if (const auto match = parted.match(words); match.hasMatch())
+            found << QStringLiteral("“%1” may part in “%2”").arg(match.captured(), words.left(200));
+    };
+    for (const QWidget* w : window.findChildren<const QWidget*>()) {
+        if (!w->isVisible() || w->window() != &window) continue;
+        if (const auto* label = qobject_cast<const QLabel*>(w); label && label->wordWrap())
+            look(label->text());
+        else if (const auto* text = qobject_cast<const QTextEdit*>(w);
+                 text && !qobject_cast<const ui::HelpBrowser*>(w))
+            look(text->document()->toRawText());
+        else if (const auto* log = qobject_cast<const QPlainTextEdit*>(w))
+            look(log->document()->toRawText());
+    }
     return found;
 }
 

@@ -11,4 +11,8 @@ namespace facetmill::test {
 /// themselves are right where a tool tip has the whole. Also widgets of one layout that lie over each other.
 QStringList cut_texts(const QWidget& window);
 
+/// Numbers in sentences of a window's visible widgets whose units may go to the next line: "2" and "%". Pages
+/// of the manual are as they were written.
+QStringList parted_numbers(const QWidget& window);
+
 } // namespace facetmill::test

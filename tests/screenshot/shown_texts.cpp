@@ -40,6 +40,7 @@ QString bare(const QString& text) {
     QString words = text.section(QChar('\t'), 0, 0);
     words.replace(QStringLiteral("&&"), QStringLiteral("\x01")).remove(QChar('&'));
     words.replace(QChar('\x01'), QStringLiteral("&"));
+    words.replace(QChar(0x00A0), QChar(' ')); // sentences have it between a number and its unit
     words = words.trimmed();
     while (!words.isEmpty() && QStringLiteral(":.").contains(words.back()))
         words.chop(1);

@@ -1,5 +1,6 @@
 // Forms made from parameter descriptions: what is typed, what is refused and what is handed over.
 #include "tests/screenshot/window_support.h"
+#include "ui/message_bar.h"
 #include "ui/parameter_form.h"
 #include "ui/text.h"
 
@@ -370,6 +371,21 @@ private slots:
         QCOMPARE(ui::shown_area(64.516, LengthUnit::inch), QStringLiteral("0.1\u00a0in²"));
         QCOMPARE(ui::percent_text(3e-7), QStringLiteral("< 0.01 %"));
         QCOMPARE(ui::percent_text(0.125), QStringLiteral("12.5 %"));
+    }
+    /// "2" at the end of a line and "%" on the next is hard to read.
+    void a_number_keeps_its_unit() {
+        const QString gap(QChar(0x00A0));
+        QCOMPARE(ui::kept_together(QStringLiteral("2 % of 0.5 mm² in 3 min 20 s at 8000 U/min")),
+                 QStringLiteral("2~% of 0.5~mm² in 3~min 20~s at 8000~U/min").replace(QChar('~'), gap));
+        for (const char* other : {"3 models", "2 inner ones", "T1 mm", "width=\"100%\"", "5 hours", "1 2"})
+            QCOMPARE(ui::kept_together(QLatin1String(other)),
+                     QString::fromLatin1(other).replace(QStringLiteral("T1 "), QStringLiteral("T1") + gap));
+        QWidget view;
+        ui::MessageBar bar(&view);
+        bar.show_message(ui::MessageBar::Kind::warning, QStringLiteral("Material is left on 2 % of it"));
+        QCOMPARE(bar.findChild<QLabel*>(QStringLiteral("message_text"))->text(),
+                 QStringLiteral("Material is left on 2~% of it").replace(QChar('~'), gap));
+        QCOMPARE(bar.message(), QStringLiteral("Material is left on 2 % of it"));
     }
     void names_are_listed_as_a_sentence_has_them() {
         QCOMPARE(ui::some_of({}), QString());

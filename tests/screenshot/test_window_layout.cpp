@@ -87,6 +87,8 @@ private slots:
             ++pages;
             for (const QString& line : found_at_rest([&] { return cut_texts(top); }))
                 found << page + QStringLiteral(": ") + line;
+            for (const QString& line : parted_numbers(top))
+                found << page + QStringLiteral(": ") + line;
             for (const QString& line : shared_mnemonics(top))
                 found << page + QStringLiteral(": one letter twice: ") + line;
             for (const QString& text : shown_texts(top))

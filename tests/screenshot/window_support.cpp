@@ -133,7 +133,7 @@ void enter(ui::MainWindow& window, const char* name, const QString& text) {
 QString error_under(ui::MainWindow& window, const char* key) {
     auto* label =
         window.properties().form()->findChild<QLabel*>(QStringLiteral("error_") + QLatin1String(key));
-    return label && label->isVisible() ? label->text() : QString();
+    return label && label->isVisible() ? label->text().replace(QChar::Nbsp, QChar(' ')) : QString();
 }
 
 const OperationCommon& first_operation(ui::MainWindow& window) {
