@@ -53,6 +53,9 @@ void tell_work(VerifySettings& settings, const Arguments& arguments, Session& se
     settings.before_work = [&](const VerifyWork& work) {
         tell_size(estimate_of(work), "choose a coarser --resolution", arguments, session);
     };
+    settings.cannot_verify = [&](const std::string& why) {
+        session.say("nothing can be verified, only faults found: " + why);
+    };
 }
 
 namespace {

@@ -183,6 +183,12 @@ void Controllers::connect_messages(const Document& document, Messages& messages)
     connect(scan_, &ScanController::opened, this, [this, &messages] {
         if (!remark_.isEmpty() && messages.bar().message() == remark_) messages.dismiss();
     });
+    connect(verification_, &VerificationController::not_begun, this,
+            [this, &messages](const QString& message, std::optional<std::size_t> up_to) {
+                messages.succeeded(); // what was planned before it
+                messages.warning(message);
+                messages.offer({tr("Verify anyway"), [this, up_to] { verification_->verify(up_to, true); }});
+            });
     connect(verification_, &VerificationController::verified, this, [this, &messages] {
         messages.succeeded();
         emit verified();

@@ -9,6 +9,7 @@
 #include "core/verify/verify.h"
 #include "ui/operation_list.h"
 #include "ui/text.h"
+#include "ui/worded.h"
 
 #include <optional>
 
@@ -242,9 +243,40 @@ std::optional<VerdictAdvice> enough_to_add(const Verification& v, const Present&
     return std::nullopt;
 }
 
+/// Where nothing can be verified: the narrowest tool asks for places nearer to each other than there are on a
+/// part so large.
+QString unjudged_advice(const std::string& why, const Project& project) {
+    static const QString id = QStringLiteral(
+        "places looked at are {1} apart, and a cutter has a radius of {2}: a resolution and a spacing of at "
+        "most {3} would do");
+    if (!filled_places(text(why), id)) return {};
+    const Operation *narrowest = nullptr, *first = nullptr;
+    double least = infinity;
+    for (const Operation* o : operations_on(project)) {
+        if (!first) first = o;
+        const Tool* tool = find_tool(project.tools, o->common().tool);
+        if (!tool || tool->diameter >= least) continue;
+        least = tool->diameter;
+        narrowest = o;
+    }
+    if (!narrowest) return {};
+    const QString name = text(narrowest->common().name);
+    return narrowest == first
+               ? tr("What to do: a larger tool in %1.").arg(name)
+               : tr("What to do: a larger tool in %1, or verify up to the operation before it.").arg(name);
+}
+
 } // namespace
 
+QString not_begun_message(const std::string& why, const Project& project) {
+    const QString advice = unjudged_advice(why, project);
+    return tr("Verifying was not begun, as it cannot be judged: %1.")
+               .arg(with_lengths_in(worded(why), project.unit))
+           + (advice.isEmpty() ? QString() : QChar(' ') + advice);
+}
+
 VerdictAdvice verdict_advice(const Verification& v, const Project& project) {
+    if (v.verdict() == facetmill::Verdict::not_judged) return {unjudged_advice(v.not_judged, project), {}};
     if (v.verdict() != facetmill::Verdict::failed) return {};
     const Present there(project, v);
     if (!v.collisions.empty()) return advice_on(v.collisions.front(), there);

@@ -97,17 +97,21 @@ bool VerificationController::can_verify(std::optional<std::size_t> up_to) const 
     return can_judge(document_, up_to);
 }
 
-void VerificationController::verify(std::optional<std::size_t> up_to) {
+void VerificationController::verify(std::optional<std::size_t> up_to, bool anyway) {
     if (!can_verify(up_to) || job_.running()) return;
     const auto plan = plan_as_it_stands(document_, up_to);
     const std::shared_ptr<VerificationOutcome> outcome = outcome_to_be(document_, *plan, up_to);
     auto project = std::make_shared<Project>(document_.project());
     job_.start(
         tr("Verifying"),
-        [outcome, project, plan, programs = programs_as_they_stand(document_, plan)](
-            const Progress& progress) { judge(*outcome, *project, plan, programs, progress); },
-        [this, outcome](const JobEnd& end) {
-            if (end.done()) take({outcome});
+        [outcome, project, plan, programs = programs_as_they_stand(document_, plan),
+         anyway](const Progress& progress) { judge(*outcome, *project, plan, programs, anyway, progress); },
+        [this, outcome, up_to](const JobEnd& end) {
+            if (!end.done()) return;
+            if (outcome->not_begun.empty())
+                take({outcome});
+            else
+                emit not_begun(not_begun_message(outcome->not_begun, document_.project()), up_to);
         });
 }
 
@@ -257,12 +261,8 @@ void VerificationController::show_playback() {
         engaged_ = true;
         layers_toggled(); // the stock follows from now on
     }
-    if (!engaged_) {
-        display_.show_stock();
-        return;
-    }
     display_.show_stock();
-    if (playback_.put_by_others()) return; // who put the tool there shows it
+    if (!engaged_ || playback_.put_by_others()) return; // who put the tool there shows it
     const PlaybackTrack& track = playback_.track();
     const double position = playback_.position();
     const MotionPlace at = track.place(position);

@@ -32,7 +32,8 @@ public:
     bool can_verify(std::optional<std::size_t> up_to = std::nullopt) const;
     /// Verifies the plan as it stands in the background job, or the operations up to one: they are judged by
     /// what they are to leave. Nothing where it cannot.
-    void verify(std::optional<std::size_t> up_to = std::nullopt);
+    /// `anyway`: also where it is known before that nothing can be verified.
+    void verify(std::optional<std::size_t> up_to = std::nullopt, bool anyway = false);
     /// Takes over what a job has judged, and tells it.
     void take(const std::vector<std::shared_ptr<const VerificationOutcome>>& outcomes);
     /// Empty when what would be exported has passed; otherwise a sentence that says why it is not to be
@@ -64,6 +65,8 @@ signals:
     /// The same of all setups.
     void verify_all_requested();
     void verified();
+    /// It was left before anything was cut, as nothing could have been verified: why, in a message.
+    void not_begun(const QString& message, std::optional<std::size_t> up_to);
     /// The user plays back: the stock should be seen.
     void played();
     /// A finding is by this operation: its path should be seen.

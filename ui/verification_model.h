@@ -48,6 +48,8 @@ struct VerificationOutcome {
     VerifyLimits limits;
     std::size_t posted_blocks = 0; ///< of the posted program; 0: the plan itself was judged
     std::shared_ptr<const Verification> verification;
+    /// Why nothing could have been verified, so that nothing was cut; no `verification` then.
+    std::string not_begun;
 };
 
 /// "the posted program, 59 414 blocks", "3 setups as one job", "up to “Rough”"; empty where the plan of one

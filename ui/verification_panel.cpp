@@ -233,6 +233,7 @@ void VerificationPanel::show_verdict() {
         which = Icon::verify_stale;
         color = signal.attention;
         note = sentence(model_.failure_text());
+        if (!advice_.text.isEmpty()) note += QStringLiteral(". ") + advice_.text;
         break;
     case Verdict::stale:
         which = Icon::verify_stale;

@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::size_t max_samples = 400'000; ///< points of the deviation: what a processor can still draw
 
+/// Leaves a verification before it cuts.
+struct NotBegun {
+    std::string why;
+};
+
 void add_judged_programs(VerificationOutcome& outcome, std::size_t setup, int id,
                          const std::shared_ptr<const OperationResult>& result) {
     std::size_t index = 0;
@@ -135,7 +140,7 @@ void show_judged(VerificationOutcome& outcome, const KeptVerdict& judged, Length
 
 void judge(VerificationOutcome& outcome, const Project& project,
            const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
-           const Progress& progress) {
+           bool anyway, const Progress& progress) try {
     // A program from a file stands for itself.
     PostedPrograms posted = outcome.program ? PostedPrograms{.programs = programs}
                                             : programs_to_judge(project, plan, progress.part(0, 0.1));
@@ -143,11 +148,14 @@ void judge(VerificationOutcome& outcome, const Project& project,
     stand_fixtures(posted.programs, *plan->part);
     VerifySettings settings = verify_settings(project, outcome.program ? nullptr : plan.get());
     settings.max_samples = max_samples;
+    if (!anyway) settings.cannot_verify = [](const std::string& why) { throw NotBegun{why}; };
     auto result = std::make_shared<Verification>(facetmill::verify(
         *plan->part->mesh, plan->stock, posted.programs, settings, progress.part(0.1, 0.97, "Verifying")));
     name_planned_motions(*result, posted);
     tell_posted(*result, posted);
     show_judged(outcome, {posted.blocks, std::move(result)}, project.unit, progress.part(0.97, 1));
+} catch (const NotBegun& hopeless) {
+    outcome.not_begun = hopeless.why;
 }
 
 std::shared_ptr<const VerificationOutcome> judge_setups(std::span<const SetupPlan> chain,

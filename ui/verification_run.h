@@ -38,10 +38,12 @@ void show_judged(VerificationOutcome& outcome, const KeptVerdict& judged, Length
                  const Progress& progress);
 
 /// Fills in what an outcome of one setup says of its plan, or of the programs that stand in its place. Where
-/// there is a control, what it will run is judged. Throws what programs_to_judge and verify do.
+/// there is a control, what it will run is judged. Where it turns out that nothing can be verified, it is not
+/// begun, unless it is wanted `anyway`, for the faults that are found. Throws what programs_to_judge and
+/// verify do.
 void judge(VerificationOutcome& outcome, const Project& project,
            const std::shared_ptr<const PlanResult>& plan, const std::vector<VerifyProgram>& programs,
-           const Progress& progress);
+           bool anyway, const Progress& progress);
 
 /// The same of setups that cut one stock. `ids`: of the operations of each setup of the document. Throws what
 /// judge_posted_chain does.

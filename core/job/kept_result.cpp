@@ -359,7 +359,7 @@ template <class Coder, CodedAs<VerifySettings> T>
 void code_fields(Coder& coder, T& v) {
     auto& [resolution, sample_spacing, motion_bound, tolerance, gouge_limit, uncut_limit, open_side,
            cut_before, look_for_pieces, allowance, usual_rays, usual_rays_asked, max_samples, before_work,
-           max_stock_bytes, unit] = v;
+           cannot_verify, max_stock_bytes, unit] = v;
     coder(resolution, sample_spacing, motion_bound, tolerance, gouge_limit, uncut_limit, open_side,
           cut_before, look_for_pieces, allowance, usual_rays, usual_rays_asked, max_samples, max_stock_bytes,
           unit);

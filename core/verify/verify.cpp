@@ -220,19 +220,25 @@ void find_starts_inside(Verification& v, const Mesh& part, std::span<const Verif
     }
 }
 
+/// Why nothing can be said of the whole, as it is known before anything is cut; empty where it may be.
+std::string cannot_verify_why(const VerifySettings& used, double sample_spacing, double min_radius) {
+    const double spacing = std::max(sample_spacing, used.resolution);
+    if (spacing > coarsest_look * min_radius)
+        return "places looked at are " + length_text(spacing, used.unit, 3)
+               + " apart, and a cutter has a radius of " + length_text(min_radius, used.unit, 3)
+               + ": a resolution and a spacing of at most "
+               + length_text(coarsest_look * min_radius, used.unit, 3) + " would do";
+    constexpr double deepest_limit = 0.25; // nothing lies deeper in a cutter than its radius
+    if (used.gouge_limit > deepest_limit * min_radius)
+        return "the gouge limit is " + length_text(used.gouge_limit, used.unit, 3)
+               + ", and a cutter has a radius of " + length_text(min_radius, used.unit, 3)
+               + ": allow at most " + length_text(deepest_limit * min_radius, used.unit, 3);
+    return {};
+}
+
 /// Why what was looked at says nothing of the whole; empty where it does.
 std::string not_judged_why(const Verification& v, const SurfaceSamples& samples, double min_radius) {
-    const double spacing = std::max(samples.spacing, v.used.resolution);
-    if (spacing > coarsest_look * min_radius)
-        return "places looked at are " + length_text(spacing, v.used.unit, 3)
-               + " apart, and a cutter has a radius of " + length_text(min_radius, v.used.unit, 3)
-               + ": ask for a resolution and a spacing of at most "
-               + length_text(coarsest_look * min_radius, v.used.unit, 3);
-    constexpr double deepest_limit = 0.25; // nothing lies deeper in a cutter than its radius
-    if (v.used.gouge_limit > deepest_limit * min_radius)
-        return "the gouge limit is " + length_text(v.used.gouge_limit, v.used.unit, 3)
-               + ", and a cutter has a radius of " + length_text(min_radius, v.used.unit, 3)
-               + ": allow at most " + length_text(deepest_limit * min_radius, v.used.unit, 3);
+    if (std::string why = cannot_verify_why(v.used, samples.spacing, min_radius); !why.empty()) return why;
     const double seen = v.figures.area + v.border.area;
     if (v.used.tolerance > 0 && v.border.uncut_fraction * v.border.area > v.used.uncut_limit * seen)
         return "more than twice the tolerance stays on "
@@ -259,18 +265,29 @@ SurfaceSamples samples_of(const Mesh& part, const VerifySettings& used, double m
     return more.spacing <= coarsest ? more : usual;
 }
 
+/// The part's surface as it is looked at.
+struct LookedAt {
+    LookedAt(const Mesh& given, const VerifySettings& used, double min_radius, const Progress& progress) {
+        const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.5), used.open_side);
+        // Borrowed: it lives as long as the verification.
+        part = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
+        turned_facets = sides.turned_facets;
+        samples = samples_of(*part, used, min_radius, progress.part(0.5, 1));
+    }
+    MeshPtr part; ///< wound outward
+    std::size_t turned_facets = 0;
+    SurfaceSamples samples;
+};
+
 /// Looks at the part's surface: all of `v` that does not come from the stock.
-void compare(Verification& v, const Mesh& given, const StockSolid& stock, const StocksBefore& before,
+void compare(Verification& v, LookedAt&& looked, const StockSolid& stock, const StocksBefore& before,
              std::span<const VerifyProgram> programs, const Radii& radii, bool spacing_asked,
              const Progress& progress) {
-    const OutwardSides sides = outward_sides(given, progress.part(0.0, 0.04), v.used.open_side);
-    // Borrowed: it lives as long as this call.
-    const MeshPtr outward = wound_outward(MeshPtr(std::shared_ptr<const Mesh>(), &given), sides);
-    const Mesh& part = *outward;
-    SurfaceSamples samples = samples_of(part, v.used, radii.min, progress.part(0.04, 0.08));
+    const Mesh& part = *looked.part;
+    SurfaceSamples& samples = looked.samples;
     const std::vector<Vec3> axes = looking_axes(programs, progress);
     const MeshSight sight(part, progress);
-    flag_samples(samples, part, sight, radii.max, axes, progress.part(0.08, 0.15));
+    flag_samples(samples, part, sight, radii.max, axes, progress.part(0.0, 0.1));
     ProbeAims aims;
     aims.allowance = v.used.allowance;
     aims.gouge_limit = v.used.gouge_limit;
@@ -280,7 +297,7 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
         aims.bound = std::clamp(probe_share * v.used.tolerance, tolerance::smallest_chord, finest_probe);
         aims.far = 2 * v.used.tolerance;
     }
-    const Probed probed = probe_samples(samples, sight, stock, programs, aims, progress.part(0.15, 0.95));
+    const Probed probed = probe_samples(samples, sight, stock, programs, aims, progress.part(0.1, 0.95));
     merge(v.collisions, probed.collisions);
     fill_figures(v, samples, probed, radii.min, progress);
     find_uncut_reasons(v, samples, probed, before, programs, progress.part(0.95, 0.99));
@@ -292,8 +309,8 @@ void compare(Verification& v, const Mesh& given, const StockSolid& stock, const 
                                 + area_text(r.area, v.used.unit, 3) + " of them, up to "
                                 + length_text(r.excess_max, v.used.unit, 3)
                                 + ", which is no part of the verdict.");
-    if (sides.turned_facets > 0)
-        v.remarks.push_back(std::to_string(sides.turned_facets)
+    if (looked.turned_facets > 0)
+        v.remarks.push_back(std::to_string(looked.turned_facets)
                             + " facets are wound inward and were judged from the side that is outside.");
     find_starts_inside(v, part, programs, progress);
     v.not_judged = not_judged_why(v, samples, radii.min);
@@ -438,10 +455,17 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     const std::string long_work =
         work.seconds > long_seconds ? " (about " + duration_text(work.seconds) + " in all)" : "";
     auto start = std::chrono::steady_clock::now();
+    LookedAt looked(part, v.used, prepared.radii.min, progress.part(0.0, 0.03, "Looking at the part"));
+    if (const auto why = cannot_verify_why(v.used, looked.samples.spacing, prepared.radii.min);
+        settings.cannot_verify && !why.empty())
+        settings.cannot_verify(why);
+    v.seconds_probing = seconds_since(start);
+
+    start = std::chrono::steady_clock::now();
     MaterialRemoval removal = removal_of(programs, v.used);
     StocksBefore before;
     v.stock = cut_all(stock, programs, v.used, removal, &before,
-                      progress.part(0.0, 0.6, "Removing material" + long_work));
+                      progress.part(0.03, 0.6, "Removing material" + long_work));
     v.collisions = removal.collisions();
     for (std::size_t i = 0; i < programs.size(); ++i) {
         v.program_air.push_back(removal.air_length(i));
@@ -450,7 +474,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
     v.seconds_cutting = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    compare(v, part, stock, before, programs, prepared.radii, settings.sample_spacing > 0,
+    compare(v, std::move(looked), stock, before, programs, prepared.radii, settings.sample_spacing > 0,
             progress.part(0.6, 0.9, "Comparing with the part"));
     merge(v.collisions, fixture_touches(programs, finest_probe, progress.part(0.9, 0.92)));
     if (settings.look_for_pieces)
@@ -458,7 +482,7 @@ Verification verify(const Mesh& part, const StockSolid& stock, std::span<const V
             loose_pieces(part, *v.stock, programs, progress.part(0.92, 1.0, "Looking for loose pieces"));
     if (v.loose) v.remarks.push_back(loose_remark(*v.loose, programs, v.used.unit));
     v.remarks.insert(v.remarks.end(), prepared.outside.begin(), prepared.outside.end());
-    v.seconds_probing = seconds_since(start);
+    v.seconds_probing += seconds_since(start);
     progress.set(1.0);
     return v;
 }

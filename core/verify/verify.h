@@ -64,6 +64,9 @@ struct VerifySettings {
     std::size_t max_samples = 0;
     /// Told how much is to be done before anything is; what it throws, `verify` throws.
     std::function<void(const VerifyWork&)> before_work = nullptr;
+    /// Told before the stock is cut, where it is known by then that faults may be found, but nothing can be
+    /// verified: why, as in Verification::not_judged. What it throws, `verify` throws.
+    std::function<void(const std::string&)> cannot_verify = nullptr;
     /// Memory of the stock's rays, which are kept only where something is cut; beyond it `verify` refuses.
     std::size_t max_stock_bytes = 2'500'000'000;
     LengthUnit unit = LengthUnit::mm; ///< of lengths in remarks and errors; figures are in mm all the same

@@ -7136,8 +7136,8 @@
         <translation>Stellen liegen in Werkzeugrichtung unter dem Teil selbst</translation>
     </message>
     <message>
-        <source>places looked at are {1} apart, and a cutter has a radius of {2}: ask for a resolution and a spacing of at most {3}</source>
-        <translation>untersuchte Stellen sind {1} auseinander, und ein Fräser hat den Radius {2}: Auflösung und Abstand von höchstens {3} verlangen</translation>
+        <source>places looked at are {1} apart, and a cutter has a radius of {2}: a resolution and a spacing of at most {3} would do</source>
+        <translation>untersuchte Stellen sind {1} auseinander, und ein Fräser hat den Radius {2}: Auflösung und Abstand von höchstens {3} würden genügen</translation>
     </message>
     <message>
         <source>plan again</source>
@@ -16004,6 +16004,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Alle Aufspannungen prüfen</translation>
     </message>
     <message>
+        <source>Verify anyway</source>
+        <translation>Trotzdem prüfen</translation>
+    </message>
+    <message>
         <source>Verify first (F6), or export programs that nobody has checked.</source>
         <translation>Zuerst prüfen (F6) oder Programme exportieren, die niemand geprüft hat.</translation>
     </message>
@@ -16018,6 +16022,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>Verifying all setups</source>
         <translation>Alle Aufspannungen werden geprüft</translation>
+    </message>
+    <message>
+        <source>Verifying was not begun, as it cannot be judged: %1.</source>
+        <translation>Die Prüfung wurde nicht begonnen, weil es nicht beurteilbar ist: %1.</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -16126,6 +16134,14 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>What to do: a larger stock.</source>
         <translation>Was zu tun ist: ein größeres Rohteil.</translation>
+    </message>
+    <message>
+        <source>What to do: a larger tool in %1, or verify up to the operation before it.</source>
+        <translation>Was zu tun ist: ein größeres Werkzeug in %1, oder nur bis zu der Operation davor prüfen.</translation>
+    </message>
+    <message>
+        <source>What to do: a larger tool in %1.</source>
+        <translation>Was zu tun ist: ein größeres Werkzeug in %1.</translation>
     </message>
     <message>
         <source>What to do: a longer shank or flutes, a slimmer holder, or the part laid another way.</source>
@@ -16964,6 +16980,10 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
         <translation>Teil</translation>
     </message>
     <message>
+        <source>pass %1, point %2</source>
+        <translation>Bahn %1, Punkt %2</translation>
+    </message>
+    <message>
         <source>passed</source>
         <translation>bestanden</translation>
     </message>
@@ -16978,10 +16998,6 @@ Einen Grafiktreiber installieren oder facetmill-cli verwenden.</translation>
     <message>
         <source>plan</source>
         <translation>planen</translation>
-    </message>
-    <message>
-        <source>pass %1, point %2</source>
-        <translation>Bahn %1, Punkt %2</translation>
     </message>
     <message>
         <source>planned</source>

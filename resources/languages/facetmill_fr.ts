@@ -7136,8 +7136,8 @@
         <translation>des endroits sont sous la pièce elle-même, vus le long de l'outil</translation>
     </message>
     <message>
-        <source>places looked at are {1} apart, and a cutter has a radius of {2}: ask for a resolution and a spacing of at most {3}</source>
-        <translation>les endroits examinés sont à {1} l'un de l'autre, et une fraise a un rayon de {2} : demander une résolution et un espacement d'au plus {3}</translation>
+        <source>places looked at are {1} apart, and a cutter has a radius of {2}: a resolution and a spacing of at most {3} would do</source>
+        <translation>les endroits examinés sont à {1} l'un de l'autre, et une fraise a un rayon de {2} : une résolution et un espacement d'au plus {3} suffiraient</translation>
     </message>
     <message>
         <source>plan again</source>
@@ -13782,7 +13782,7 @@
     </message>
     <message>
         <source>Not verified (in %1), it cannot be judged: %2.</source>
-        <translation>Non vérifié (dans %1), impossible à juger : %2.</translation>
+        <translation>Non vérifié (en %1), impossible à juger : %2.</translation>
     </message>
     <message>
         <source>Nothing can be compared while a value is not right.</source>
@@ -15943,7 +15943,7 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     </message>
     <message>
         <source>Verification failed (in %1): %2.</source>
-        <translation>Vérification échouée (dans %1) : %2.</translation>
+        <translation>Vérification échouée (en %1) : %2.</translation>
     </message>
     <message>
         <source>Verification limits</source>
@@ -16002,6 +16002,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>Vérifier tous les posages</translation>
     </message>
     <message>
+        <source>Verify anyway</source>
+        <translation>Vérifier quand même</translation>
+    </message>
+    <message>
         <source>Verify first (F6), or export programs that nobody has checked.</source>
         <translation>Vérifier d'abord (F6), ou exporter des programmes que personne n'a vérifiés.</translation>
     </message>
@@ -16016,6 +16020,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>Verifying all setups</source>
         <translation>Vérification de tous les posages</translation>
+    </message>
+    <message>
+        <source>Verifying was not begun, as it cannot be judged: %1.</source>
+        <translation>La vérification n'a pas été commencée, car il est impossible de juger : %1.</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -16124,6 +16132,14 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>What to do: a larger stock.</source>
         <translation>Que faire : un brut plus grand.</translation>
+    </message>
+    <message>
+        <source>What to do: a larger tool in %1, or verify up to the operation before it.</source>
+        <translation>Que faire : un outil plus grand dans %1, ou vérifier seulement jusqu'à l'opération qui la précède.</translation>
+    </message>
+    <message>
+        <source>What to do: a larger tool in %1.</source>
+        <translation>Que faire : un outil plus grand dans %1.</translation>
     </message>
     <message>
         <source>What to do: a longer shank or flutes, a slimmer holder, or the part laid another way.</source>
@@ -16962,6 +16978,10 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
         <translation>pièce</translation>
     </message>
     <message>
+        <source>pass %1, point %2</source>
+        <translation>passe %1, point %2</translation>
+    </message>
+    <message>
         <source>passed</source>
         <translation>réussi</translation>
     </message>
@@ -16976,10 +16996,6 @@ Installer un pilote graphique, ou utiliser facetmill-cli.</translation>
     <message>
         <source>plan</source>
         <translation>planifier</translation>
-    </message>
-    <message>
-        <source>pass %1, point %2</source>
-        <translation>passe %1, point %2</translation>
     </message>
     <message>
         <source>planned</source>

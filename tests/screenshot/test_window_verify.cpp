@@ -571,6 +571,35 @@ private slots:
                               cancel, anyway, QStringLiteral("Verify again")}));
     }
 
+    /// Where it is known before the stock is cut that nothing can be verified, nobody waits for that.
+    void what_cannot_be_judged_is_not_begun() {
+        QVERIFY(open_and_plan());
+        w().document().change(QStringLiteral("Lax"), [](Project& p) { p.limits.gouge_limit = {25, {}}; });
+        w().verify();
+        QVERIFY(wait_until_settled(w()));
+        QVERIFY(!controller().model().any());
+        const QString message = w().message_bar().message();
+        QVERIFY2(message.contains(QStringLiteral("not begun"))
+                     && message.contains(QStringLiteral("allow at")),
+                 qPrintable(message));
+        QTest::mouseClick(w().message_bar().findChild<QPushButton*>(QStringLiteral("message_button")),
+                          Qt::LeftButton);
+        QVERIFY(wait_until_settled(w()));
+        QCOMPARE(controller().model().verdict(), ui::Verdict::not_judged);
+    }
+
+    /// What asks for nearer places than there are names the operation with the narrowest tool.
+    void a_tool_too_fine_to_be_judged_is_named() {
+        QVERIFY(open_and_plan());
+        facetmill::Verification v;
+        v.not_judged = "places looked at are 2 mm apart, and a cutter has a radius of 1 mm: a resolution and "
+                       "a spacing of at most 0.5 mm would do";
+        QCOMPARE(ui::verdict_advice(v, w().document().project()).text,
+                 QStringLiteral("What to do: a larger tool in Finish."));
+        v.not_judged = "another reason";
+        QVERIFY(ui::verdict_advice(v, w().document().project()).text.isEmpty());
+    }
+
     void a_verdict_in_the_bar_goes_with_its_worth() {
         QVERIFY(open_and_plan());
         w().verify();

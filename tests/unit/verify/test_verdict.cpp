@@ -340,6 +340,39 @@ private slots:
         QCOMPARE(int(judged(part, stock, deep, coarse).verdict()), int(Verdict::failed));
     }
 
+    /// Whoever waits for a verdict is told before the stock is cut that there can be none.
+    void what_cannot_be_verified_is_told_first() {
+        const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
+        StockSolid stock = stock_of(part.box());
+        stock.box.hi.z() = 2;
+        const VerifyProgram program = lines(flat_tool(8), Vec2(-20, -15), Vec2(20, 15), 0, 6);
+        const auto told_of = [&](VerifySettings s) {
+            std::vector<std::string> told;
+            s.cannot_verify = [&](const std::string& why) { told.push_back(why); };
+            const Verification v = judged(part, stock, program, s);
+            return std::pair(told, v.not_judged);
+        };
+        QVERIFY(told_of(asked()).first.empty());
+        VerifySettings coarse = asked(), few = asked(), lax = asked();
+        coarse.resolution = 6;
+        few.max_samples = 4;
+        lax.gouge_limit = 4;
+        for (const VerifySettings& s : {coarse, few, lax}) {
+            const auto [told, why] = told_of(s);
+            QVERIFY2(told.size() == 1 && told.front() == why && !why.empty(), why.c_str());
+        }
+        // What it throws ends it before anything is cut.
+        struct Enough {};
+        bool cut = false;
+        coarse.cannot_verify = [](const std::string&) { throw Enough(); };
+        try {
+            judged(part, stock, program, coarse);
+            cut = true;
+        } catch (const Enough&) {
+        }
+        QVERIFY(!cut);
+    }
+
     /// Rays farther apart than the stock is long see nothing of it: that is refused, with what would do.
     void a_resolution_beyond_the_stock_is_refused() {
         const Mesh part = box(Vec3(-20, -15, -10), Vec3(20, 15, 0));
