@@ -177,9 +177,11 @@ QString with_lengths_in(const QString& message, LengthUnit unit) {
 }
 
 QString kept_together(const QString& text) {
+    // Digits of a name, "G54 in", are no number.
     static const QRegularExpression gap(
-        QStringLiteral("(?<=\\d) (?=(?:[%°²³×]|mm|cm|m|in|ft|s|min|h|rpm|U/min|tr/min|[kMG]B)(?!\\w))"));
-    return QString(text).replace(gap, QChar(0x00A0));
+        QStringLiteral("((?<![\\w.,])\\d[\\d.,]*|\\)) "
+                       "(?=(?:[%°²³×]|mm|cm|m|in|ft|s|min|h|rpm|U/min|tr/min|[kMG]B)(?!\\w))"));
+    return QString(text).replace(gap, QStringLiteral("\\1\u00a0"));
 }
 
 QString sentence(const QString& text) {

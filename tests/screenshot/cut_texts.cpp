@@ -233,7 +233,8 @@ QStringList cut_texts(const QWidget& window) {
 }
 
 QStringList parted_numbers(const QWidget& window) {
-    static const QRegularExpression parted(QStringLiteral("\\d (?:%|(?:mm|in|s|min|h|rpm)\\b)"));
+    static const QRegularExpression parted(
+        QStringLiteral("(?:(?<![\\w.,])\\d[\\d.,]*|\\)) (?:%|(?:mm|in|s|min|h|rpm)\\b)"));
     QStringList found;
     const auto look = [&](const QString& words) {
         if (const auto match = parted.match(words); match.hasMatch())

@@ -424,7 +424,7 @@ private slots:
         const std::string fingerprint = Document::fingerprint(d.project(), 0);
         d.take({{d.operation_id(0), other, {}, fingerprint}});
         QVERIFY(wait_until_settled(w()) && open_dialog());
-        const QString both = dialog().status();
+        const QString both = dialog().status().replace(QChar::Nbsp, QChar(' '));
         const int found = dialog().regions().table()->rowCount();
         QVERIFY2(both.startsWith(QStringLiteral("Before planning: %1 region").arg(found)), qPrintable(both));
         const QString planned = QStringLiteral("%1, 12 %").arg(rework->regions.regions.size()); // two digits
