@@ -56,13 +56,17 @@ double UprightTravel::clear_height(const Vec2& a, const Vec2& b, double known) {
     return stock_bodies_.clear_height(stock_->about(a, b, reach_), a, b, by_cutter);
 }
 
+double UprightTravel::touch() const {
+    return touch_share * clearance_;
+}
+
 double UprightTravel::down_to(const Vec3& tip, double top) {
     if (!stock_) return top;
     const Vec2 p = tip.head<2>();
     const double stands = std::min(clear_height(p, p, tip.z() - clearance_), been_at(p));
     if (!(stands < tip.z() && is_off(tip, stands)))
         return std::min(top, std::max(stands, tip.z()) + clearance_);
-    return std::min(top, std::max(stands + clearance_, tip.z() + touch_share * clearance_));
+    return std::min(top, std::max(stands + clearance_, tip.z() + touch()));
 }
 
 std::optional<double> UprightTravel::fall_to(const Vec3& from, const Vec3& tip) {
@@ -83,7 +87,7 @@ bool UprightTravel::is_off(const Vec3& tip, double stands) const {
 
 double UprightTravel::up_from(const Vec3& tip, double top) {
     if (!stock_ || up_.is_undercut()) return top;
-    const double out = tip.z() + (is_off(tip, -infinity) ? touch_share : 1) * clearance_;
+    const double out = tip.z() + (is_off(tip, -infinity) ? touch() : clearance_);
     // Mostly nothing stands as high as they begin, and what was cut where need not be known.
     const double above = stock_->highest() - tip.z();
     if (above <= std::min(stock_bodies_.lowest_base(), cutter_.height())) return std::min(top, out);

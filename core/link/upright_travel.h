@@ -29,6 +29,8 @@ public:
 
     /// What a rapid straight down keeps from what stands, mm.
     double clearance() const { return clearance_; }
+    /// What is fed, mm, from the end of a rapid on to where the tool is out of the cut or has been already.
+    double touch() const;
     /// Tips that do not gouge, for cuts and links.
     const LiftField& part() const { return part_; }
     double spacing() const { return spacing_; } ///< of places on a line that are to be looked at

@@ -247,7 +247,7 @@ private slots:
             // Down or level, never both; never down on what is not known to be gone.
             if (kind == MotionKind::rapid) QVERIFY(way.z() == 0 || way.head<2>().norm() == 0);
         }
-        QVERIFY2(std::abs(up - 3) < 1e-9, qPrintable(QString::number(up)));
+        QVERIFY2(std::abs(up - 1.65) < 1e-9, qPrintable(QString::number(up)));
         QVERIFY2(down < 3, qPrintable(QString::number(down)));
         // Flutes that end below the top of the wall: what a shank would come to from beside may stand.
         tool.flute_length = 6;
