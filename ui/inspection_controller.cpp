@@ -209,7 +209,8 @@ void InspectionController::show_place() {
     const auto here = place_here();
     const double x = here ? chart_.x_of(*here) : std::numeric_limits<double>::quiet_NaN();
     plot->set_cursor(std::isfinite(x) ? std::optional(x) : std::nullopt);
-    panel_->readout()->set_text(std::isfinite(x) ? chart_.readout(*here) : QString());
+    const QStringList said = std::isfinite(x) ? chart_.readout(*here) : QStringList();
+    panel_->readout()->set_text(said.value(0), said.mid(1));
 }
 
 void InspectionController::place_shown(std::size_t source, std::size_t motion, double share) {

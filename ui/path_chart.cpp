@@ -142,33 +142,37 @@ double PathChart::x_of(const ChartPlace& place) const {
     return from + place.share * (to - from);
 }
 
-QString PathChart::readout(const ChartPlace& place) const {
+QStringList PathChart::readout(const ChartPlace& place) const {
     if (chart_ == Chart::stepover) return stepover_readout(place);
     const PathFigures& figures = *figures_;
     const std::size_t m = place.motion, before = m > 0 ? m - 1 : m;
     const auto between = [&](const std::vector<double>& v) {
         return v[before] + place.share * (v[m] - v[before]);
     };
-    QString line = tr("GOTO %1   %2   %3")
-                       .arg(count_text(m + 1), shown_length(between(figures.length), unit_, 5),
-                            duration_text(between(figures.elapsed)));
+    const QString at = QStringLiteral("GOTO %1").arg(count_text(m + 1)),
+                  length = shown_length(between(figures.length), unit_, 5),
+                  time = duration_text(between(figures.elapsed));
+    QStringList angles;
     for (std::size_t r = 0; r < 2 && !figures.rotary[r].empty(); ++r)
         if (const double v = between(figures.rotary[r]); std::isfinite(v))
-            line +=
-                QStringLiteral("   %1 %2").arg(text(figures.machine.rotary[r].name), angle_text(degrees(v)));
-    return line;
+            angles << QStringLiteral("%1 %2").arg(text(figures.machine.rotary[r].name),
+                                                  angle_text(degrees(v)));
+    const auto line = [](const QStringList& parts) { return parts.join(QStringLiteral("   ")); };
+    return {line(QStringList{at, length, time} + angles), line(QStringList{at, length} + angles),
+            line(QStringList{at} + angles)};
 }
 
-QString PathChart::stepover_readout(const ChartPlace& place) const {
+QStringList PathChart::stepover_readout(const ChartPlace& place) const {
     const int drive = program_->path.passes[program_->program.motions.motions[place.motion].pass].drive;
     const auto at =
         std::find_if(drives_.begin(), drives_.end(), [&](const Drive& d) { return d.drive == drive; });
-    QString line = tr("Pass %1 of %2").arg(drive + 1).arg(drives_.size());
+    const QString pass = tr("Pass %1 of %2").arg(drive + 1).arg(drives_.size());
+    QString line = pass;
     if (at != drives_.begin() && at != drives_.end())
         line += tr("   %1 to the one before").arg(shown_length(at->offset - (at - 1)->offset, unit_, 4));
     if (at != drives_.end() && at + 1 != drives_.end())
         line += tr("   %1 to the next").arg(shown_length((at + 1)->offset - at->offset, unit_, 4));
-    return line;
+    return {line, pass};
 }
 
 std::optional<std::size_t> PathChart::motion_at(double x) const {

@@ -35,8 +35,8 @@ public:
 
     /// The place along the chart's axis; not a number where the motion is not in it.
     double x_of(const ChartPlace& place) const;
-    /// What stands at a place, in words.
-    QString readout(const ChartPlace& place) const;
+    /// What stands at a place, in words; the same in fewer and fewer after it.
+    QStringList readout(const ChartPlace& place) const;
     /// The motion that is nearest along the axis.
     std::optional<std::size_t> motion_at(double x) const;
     /// The step-over chart goes from pass to pass: the motion `by` passes on.
@@ -53,7 +53,7 @@ private:
     };
     void build_stepover();
     void build_rotary();
-    QString stepover_readout(const ChartPlace& place) const;
+    QStringList stepover_readout(const ChartPlace& place) const;
     std::string stepover_table() const;
 
     Chart chart_ = Chart::rotary_over_length;

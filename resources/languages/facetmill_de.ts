@@ -13003,10 +13003,6 @@ bei</translation>
         <translation>GOTO </translation>
     </message>
     <message>
-        <source>GOTO %1   %2   %3</source>
-        <translation>GOTO %1   %2   %3</translation>
-    </message>
-    <message>
         <source>Give the boundary a name</source>
         <translation>Der Begrenzung einen Namen geben</translation>
     </message>

@@ -13001,10 +13001,6 @@
         <translation>GOTO </translation>
     </message>
     <message>
-        <source>GOTO %1   %2   %3</source>
-        <translation>GOTO %1   %2   %3</translation>
-    </message>
-    <message>
         <source>Give the boundary a name</source>
         <translation>Donner un nom à la limite</translation>
     </message>

@@ -163,6 +163,14 @@ private slots:
         QVERIFY((tip() - motions()[motion].to.tip).norm() > 1e-3);
         const QString readout = charts().panel()->readout()->text();
         QVERIFY(readout.contains(QStringLiteral("GOTO")) && readout.contains(QStringLiteral("C ")));
+        // In a small window it leaves out the time, then the length, and no word from within.
+        ui::ElidedLabel* label = charts().panel()->readout();
+        const QString least = readout.section(QStringLiteral("   "), 0, 0) + QStringLiteral("   ")
+                              + readout.section(QStringLiteral("   "), 3);
+        label->setFixedWidth(label->fontMetrics().horizontalAdvance(least) + 10);
+        QCOMPARE(label->shown_text(), least);
+        label->setMinimumWidth(0);
+        label->setMaximumWidth(QWIDGETSIZE_MAX);
 
         // Steps from the chart and in the view move both.
         const double before = *plot()->cursor();
