@@ -25,6 +25,9 @@ constexpr double closing_steps = 0.75;
 constexpr std::size_t closing_points = 8;
 /// A curve joins another, and a seed is on one, within this many steps.
 constexpr double joining_steps = 0.5, known_steps = 1.2;
+/// It joins itself where it comes back to a place that it passed so many steps before: round and round a
+/// pocket that it did not start in.
+constexpr double own_steps = 4;
 
 class ValleyTracer {
 public:
@@ -95,6 +98,30 @@ private:
         return best;
     }
 
+    /// The way that a curve has come, to see where it comes back to it.
+    class OwnWay {
+    public:
+        explicit OwnWay(const ValleyTracer& tracer) : tracer_(tracer), seen_(tracer.scale_.step) {}
+        /// Has the curve been where its last point is? Asked for each point once.
+        bool comes_back(const std::vector<PencilPoint>& points) {
+            const PencilPoint& last = points.back();
+            const double step = tracer_.scale_.step, within = joining_steps * step;
+            if (points.size() > 1) length_ += (last.tip - points[points.size() - 2].tip).norm();
+            const bool back = seen_.near_until(last.tip, within, [&](std::size_t i) {
+                return length_ - lengths_[i] > own_steps * step && tracer_.is_same(points[i], last, within);
+            });
+            seen_.add(last.tip);
+            lengths_.push_back(length_);
+            return back;
+        }
+
+    private:
+        const ValleyTracer& tracer_;
+        PointGrid seen_;
+        std::vector<double> lengths_; ///< from the start to each point
+        double length_ = 0;
+    };
+
     /// Follows the curve from `start`, whose left and right are those of going along `heading`.
     Trace trace(const PencilPoint& start, double heading, const Progress& progress) const {
         Trace t;
@@ -103,6 +130,8 @@ private:
         std::optional<Vec3> lost_at;
         bool ending = false;
         int passed = 0; // steps since the curve was lost
+        OwnWay way(*this);
+        way.comes_back(t.points);
         while (t.points.size() < max_steps) {
             progress.check();
             const PencilPoint& last = t.points.back();
@@ -139,6 +168,10 @@ private:
                 t.points.pop_back();
                 return t;
             }
+            if (way.comes_back(t.points)) {
+                t.end = CurveEnd::joined;
+                return t;
+            }
             if (!is_on_part(t.points.back())) {
                 t.end = CurveEnd::off_part;
                 return t;
@@ -163,13 +196,18 @@ private:
             .has_value();
     }
 
+    /// Are both between the same flanks, and so near to each other?
+    bool is_same(const PencilPoint& q, const PencilPoint& p, double within) const {
+        if ((q.tip - p.tip).norm() > within) return false;
+        return probe_.moved(p, q) < PencilProbe::max_move
+               || probe_.moved(p, turned_round(q)) < PencilProbe::max_move;
+    }
+
     /// Is a finished curve between the same flanks so near?
     bool near_done(const PencilPoint& p, double within) const {
         return done_.near_until(p.tip, within, [&](std::size_t i) {
-            const PencilPoint& q = all_[i];
-            if ((q.tip - p.tip).norm() > within) return false;
-            return probe_.moved(p, q) < PencilProbe::max_move
-                   || probe_.moved(p, turned_round(q)) < PencilProbe::max_move;
+            const auto [valley, point] = all_[i];
+            return is_same(valleys_[valley].curve.points[point], p, within);
         });
     }
 
@@ -217,9 +255,10 @@ private:
     }
 
     void keep(TracedValley valley) {
-        for (const PencilPoint& p : valley.curve.points) {
-            done_.add(p.tip);
-            all_.push_back(p);
+        const auto& points = valley.curve.points;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            done_.add(points[k].tip);
+            all_.push_back({std::uint32_t(valleys_.size()), std::uint32_t(k)});
         }
         valleys_.push_back(std::move(valley));
     }
@@ -228,8 +267,8 @@ private:
     PencilProbe probe_;
     ValleyScale scale_;
     std::vector<TracedValley> valleys_;
-    std::vector<PencilPoint> all_; ///< points of all finished curves
-    PointGrid done_;               ///< their tips
+    std::vector<std::array<std::uint32_t, 2>> all_; ///< points of all finished curves: which, and where
+    PointGrid done_;                                ///< their tips
 };
 
 } // namespace

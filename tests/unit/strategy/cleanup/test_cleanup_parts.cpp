@@ -1,5 +1,7 @@
 // What clean-up is made of: rays against every facet, distances from cutters, what stays between two passes,
 // what a cutter leaves in a crease.
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/outward.h"
 #include "core/strategy/cleanup/border_touch.h"
 #include "core/strategy/cleanup/cleanup.h"
 #include "core/strategy/cleanup/cut_tree.h"
@@ -39,6 +41,21 @@ struct Crease {
 class TestCleanupParts : public QObject {
     Q_OBJECT
 private slots:
+    /// Curves that came to a ring of steps went round it until they had 200 000 points.
+    void curves_end_where_they_come_back() {
+        MeshPtr scan =
+            load_mesh(data_path("data/valleys/ring-of-steps.stl"), LengthUnit::mm, Progress()).mesh;
+        scan = wound_outward(scan, outward_sides(*scan, Progress()));
+        const CutterOver before(*scan, ball_tool(6));
+        ValleyInput in = before.valleys(0.05);
+        in.ripple = 0.5;
+        std::size_t points = 0;
+        for (const ValleyCurve& curve : find_valleys(in, Progress()).curves)
+            points += curve.points.size();
+        qInfo("%zu points", points);
+        QVERIFY(points > 10 && points < 1000);
+    }
+
     void rays_meet_what_all_facets_say() {
         const auto mesh = soup(400, 30, 5);
         const FacetGrid grid(*mesh, Progress());
