@@ -10,6 +10,7 @@ namespace {
 /// Places are so far apart, in radii; where they would be too many, the last of these, or there are none.
 constexpr std::array<double, 2> tip_shares{0.1, 0.2};
 constexpr double max_tips = 4e6, max_tip_tiles = 2e7;
+constexpr std::size_t places_at_once = std::size_t(1) << 18;
 /// Tiles so far beside those of the bands are about them, and all so far beside are known: a tile is eight
 /// places wide, and the cutter's radius at most ten.
 constexpr int tiles_about = 1, tiles_known = 3;
@@ -88,22 +89,34 @@ bool TipGrid::make_tiles(double share, const Box3& part, std::span<const RestBan
 }
 
 void TipGrid::find_heights(const AxialLift& lift, const Progress& progress) {
+    heights_.resize(lowest_.size() * tile * tile);
+    // Some at a time: all together they would be by far the most that clean-up has to remember at once.
     std::vector<Vec2> places;
-    places.reserve(lowest_.size() * tile * tile);
+    places.reserve(places_at_once + tile * tile);
+    std::vector<double> found;
+    std::size_t done = 0;
+    const auto ask = [&] {
+        found.resize(places.size());
+        lift.tip_z(places, found,
+                   progress.part(double(done) / double(heights_.size()),
+                                 double(done + places.size()) / double(heights_.size())));
+        for (const double z : found) {
+            // Where it meets nothing the cutter has no place.
+            heights_[done] = z > -infinity ? float(z) : float(infinity);
+            float& lowest = lowest_[done / (tile * tile)];
+            lowest = std::min(lowest, heights_[done]);
+            ++done;
+        }
+        places.clear();
+    };
     for (int y = 0; y < rows_; ++y)
-        for (int x = 0; x < columns_; ++x)
-            if (tiles_[number(x, y)] != no_tile)
-                for (int k = 0; k < tile * tile; ++k)
-                    places.emplace_back(corner(x, y) + spacing_ * Vec2(k % tile, k / tile));
-    std::vector<double> found(places.size());
-    lift.tip_z(places, found, progress);
-    heights_.resize(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        // Where it meets nothing the cutter has no place.
-        heights_[i] = found[i] > -infinity ? float(found[i]) : float(infinity);
-        float& lowest = lowest_[i / (tile * tile)];
-        lowest = std::min(lowest, heights_[i]);
-    }
+        for (int x = 0; x < columns_; ++x) {
+            if (tiles_[number(x, y)] == no_tile) continue;
+            for (int k = 0; k < tile * tile; ++k)
+                places.emplace_back(corner(x, y) + spacing_ * Vec2(k % tile, k / tile));
+            if (places.size() >= places_at_once) ask();
+        }
+    if (!places.empty()) ask();
 }
 
 bool TipGrid::is_about(const Vec3& p) const {
