@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/strategy/tilt/tilted_stock.h"
 #include "core/setup/motion.h"
+#include "core/strategy/tilt/tilted_stock.h"
 
 #include <functional>
 #include <vector>

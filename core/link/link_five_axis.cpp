@@ -3,11 +3,11 @@
 #include "core/link/envelope.h"
 #include "core/link/joint_run.h"
 #include "core/link/link.h"
-#include "core/strategy/tilt/tilted_stock.h"
 #include "core/setup/kinematics.h"
 #include "core/strategy/five_axis/even_motion.h"
 #include "core/strategy/five_axis/posture_path.h"
 #include "core/strategy/surface/stock_before.h"
+#include "core/strategy/tilt/tilted_stock.h"
 
 #include <algorithm>
 #include <cmath>

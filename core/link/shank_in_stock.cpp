@@ -1,9 +1,9 @@
 #include "core/link/shank_in_stock.h"
 
-#include "core/strategy/tilt/tilted_stock.h"
 #include "core/strategy/lathe/lathe_field.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/stock_before.h"
+#include "core/strategy/tilt/tilted_stock.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // What tilted tools leave standing, against points that are asked one by one.
+#include "core/setup/stock_solid.h"
 #include "core/strategy/tilt/standing_columns.h"
 #include "core/strategy/tilt/tilted_stock.h"
-#include "core/setup/stock_solid.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/trials.h"
 
