@@ -149,8 +149,7 @@ class TestTilted : public QObject {
 private slots:
     void a_short_tool_cuts_what_a_long_one_does_data() {
         QTest::addColumn<QString>("kind");
-        for (const char* kind :
-             {"finish3", "waterline", "scallop", "steep_shallow", "radial", "spiral", "morph", "along_curve"})
+        for (const char* kind : {"finish3", "waterline", "scallop", "steep_shallow", "spiral", "along_curve"})
             QTest::newRow(kind) << kind;
     }
     void a_short_tool_cuts_what_a_long_one_does() {

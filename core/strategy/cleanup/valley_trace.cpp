@@ -99,9 +99,9 @@ private:
     }
 
     /// The way that a curve has come, to see where it comes back to it.
-    class OwnWay {
+    class OwnRoute {
     public:
-        explicit OwnWay(const ValleyTracer& tracer) : tracer_(tracer), seen_(tracer.scale_.step) {}
+        explicit OwnRoute(const ValleyTracer& tracer) : tracer_(tracer), seen_(tracer.scale_.step) {}
         /// Has the curve been where its last point is? Asked for each point once.
         bool comes_back(const std::vector<PencilPoint>& points) {
             const PencilPoint& last = points.back();
@@ -130,8 +130,8 @@ private:
         std::optional<Vec3> lost_at;
         bool ending = false;
         int passed = 0; // steps since the curve was lost
-        OwnWay way(*this);
-        way.comes_back(t.points);
+        OwnRoute route(*this);
+        route.comes_back(t.points);
         while (t.points.size() < max_steps) {
             progress.check();
             const PencilPoint& last = t.points.back();
@@ -168,7 +168,7 @@ private:
                 t.points.pop_back();
                 return t;
             }
-            if (way.comes_back(t.points)) {
+            if (route.comes_back(t.points)) {
                 t.end = CurveEnd::joined;
                 return t;
             }
