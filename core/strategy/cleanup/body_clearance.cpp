@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
-#include "core/gouge/tool_lift.h"
+#include "core/strategy/tilt/thinner_tool.h"
 
 #include <cmath>
 
@@ -15,15 +15,8 @@ namespace {
 constexpr double raise_share = 0.25;
 constexpr std::size_t locations_per_check = 256;
 
-/// The whole tool, with shank and holder a hair thinner: a shank as thick as the cutter runs along what the
-/// cutter has cut.
 ToolLift whole_tool(const CleanupJob& job) {
-    Tool tool = job.context.tool;
-    const double thinner = 2 * std::max(job.chord, tolerance::contact_distance);
-    tool.shank_diameter = std::max(tool.shank_diameter - thinner, 0.5 * tool.shank_diameter);
-    for (HolderSection& s : tool.holder)
-        s.diameter = std::max(s.diameter - thinner, 0.5 * s.diameter);
-    return {job.context.contact, tool, {job.allowance, 0, 0}};
+    return thinner_tool(job.context.contact, job.context.tool, {job.allowance, 0, 0}, job.chord);
 }
 
 /// A pass without the motions on which shank or holder would touch.

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/strategy/plan/plan_text.h"
 #include "core/strategy/surface/stock_before.h"
+#include "core/strategy/tilt/thinner_tool.h"
 #include "core/strategy/tilt/tilted_record.h"
 
 #include <algorithm>
@@ -14,21 +15,13 @@ namespace {
 /// The cells of the stock that shank and holder keep out of, in radii of the cutter.
 constexpr double tilt_cell_share = 0.125;
 
-/// Shank and holder a hair thinner: a shank as thick as the cutter runs along what the cutter has cut.
-ToolLift thinner_tool(const PlanContext& context, const TiltOptions& options) {
-    Tool tool = context.tool;
-    const double thinner = 2 * std::max(options.chord, tolerance::contact_distance);
-    tool.shank_diameter = std::max(tool.shank_diameter - thinner, 0.5 * tool.shank_diameter);
-    for (HolderSection& s : tool.holder)
-        s.diameter = std::max(s.diameter - thinner, 0.5 * s.diameter);
-    const double body = options.allowance + options.holder_clearance;
-    return {context.contact, tool, {options.allowance, body, body}};
-}
-
 } // namespace
 
 PassTilter::PassTilter(const PlanContext& context, const TiltOptions& options)
-    : whole_(thinner_tool(context, options)),
+    : whole_(thinner_tool(context.contact, context.tool,
+                          {options.allowance, options.allowance + options.holder_clearance,
+                           options.allowance + options.holder_clearance},
+                          options.chord)),
       machine_(context.machine, gauge_length(context.tool),
                default_part_origin(context.machine, context.part_box)) {
     input_.whole = &whole_;
